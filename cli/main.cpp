@@ -67,7 +67,7 @@ void addFamilies(Command& app) {
 std::optional<int> handOver(const std::vector<std::string>& words) {
   const bool completes = !words.empty() && words.front() == kCompleteOption;
   const std::vector<std::string> typed(words.begin() + (completes ? 1 : 0), words.end());
-  const FamilyCommand* command = familyOf(typed);
+  const FamilyCommand* command = findFamilyCommand(typed);
   if (command != nullptr) return becomeFamily(*command, words);
   if (!typed.empty() && typed.front() == "run" && !familyProgram("measure").empty()) {
     return becomeFamily({.group = {}, .command = "run", .family = "measure", .what = {}}, words);
@@ -75,7 +75,7 @@ std::optional<int> handOver(const std::vector<std::string>& words) {
   return std::nullopt;
 }
 
-int runWords(const std::vector<std::string>& typed) {
+int runTypedCommand(const std::vector<std::string>& typed) {
   if (typed.empty() && !palpate::window::displayOffered()) return printed(kFirstSteps);
   const std::vector<std::string> words = withMeantCommand(withPresentCommand(typed));
   if (const std::optional<int> exit_code = handOver(words)) return *exit_code;
@@ -96,5 +96,5 @@ int runWords(const std::vector<std::string>& typed) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return runProgram([&] { return runWords(palpate::system::commandLine(argc, argv)); });
+  return runProgram([&] { return runTypedCommand(palpate::system::commandLine(argc, argv)); });
 }

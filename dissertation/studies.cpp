@@ -60,7 +60,7 @@ StudyPage runStudy(const Study& study, const StudySettings& settings) {
   StudyPage page = study.run(settings);
   page.seconds = secondsSince(start);
   if (page.name.empty()) page.name = study.name;
-  page.machine = lab::lineOf(lab::thisMachine());
+  page.machine = lab::describeMachine(lab::thisMachine());
   if (page.command.empty()) {
     page.command = fmt::format("palpate study {}{} --out DIR", study.name, settings.quick ? " --quick" : "");
   }

@@ -19,7 +19,7 @@ namespace palpate::c_api {
 
 namespace {
 
-palpate_session_facts factsOf(const trace::RecordingFacts& session) noexcept {
+palpate_session_facts makeRecordingFacts(const trace::RecordingFacts& session) noexcept {
   palpate_session_facts facts = {};
   facts.ticks_per_s = session.header.ticks_per_s;
   facts.seconds = session.seconds();
@@ -111,7 +111,7 @@ int32_t palpate_session_open(const char* utf8_path, palpate_session** out, palpa
 
 int32_t palpate_session_get_facts(const palpate_session* session, palpate_session_facts* facts) noexcept {
   if (session == nullptr || !c_api::isUsable(facts)) return PALPATE_ARGUMENT;
-  c_api::toCaller(c_api::factsOf(session->reader.facts()), facts);
+  c_api::toCaller(c_api::makeRecordingFacts(session->reader.facts()), facts);
   return PALPATE_OK;
 }
 
@@ -157,7 +157,7 @@ int32_t palpate_session_world(palpate_session* session, uint64_t number, const c
     require(session != nullptr, "the session is null");
     const trace::RecordingWorld recorded = session->reader.world(number);
     const std::filesystem::path at = folder != nullptr ? pathOf(folder) : pathOf(recorded.folder);
-    return c_api::handleOf(engine::builtWorld(recorded, at));
+    return c_api::makeHandle(engine::builtWorld(recorded, at));
   });
 }
 

@@ -22,7 +22,7 @@ void put(const Vector& vector, double* target) noexcept {
   for (Eigen::Index axis = 0; axis < vector.size(); ++axis) target[axis] = vector[axis];
 }
 
-Vec3 vectorOf(const double* numbers) noexcept { return {numbers[0], numbers[1], numbers[2]}; }
+Vec3 toVec3(const double* numbers) noexcept { return {numbers[0], numbers[1], numbers[2]}; }
 
 /// Everything but the size.
 void fill(const contact::FingerOutput& felt, std::uint64_t tick, palpate_touch& touch) noexcept {
@@ -81,21 +81,21 @@ bool feltFrom(const palpate_touch& touch, std::size_t triangles, contact::Finger
   if (!is_triangle(touch.triangle) || !is_triangle(touch.anchor_triangle) || !is_triangle(touch.dent_triangle)) {
     return false;
   }
-  felt.force = vectorOf(touch.force_n);
+  felt.force = toVec3(touch.force_n);
   felt.depth_mm = touch.depth_mm;
   felt.touch = static_cast<contact::Touch>(touch.touch);
   felt.status = touch.status;
-  felt.normal = vectorOf(touch.normal);
-  felt.tip = vectorOf(touch.tip_mm);
-  felt.proxy = vectorOf(touch.proxy_mm);
-  felt.anchor = vectorOf(touch.anchor_mm);
-  felt.hold = vectorOf(touch.hold_mm);
+  felt.normal = toVec3(touch.normal);
+  felt.tip = toVec3(touch.tip_mm);
+  felt.proxy = toVec3(touch.proxy_mm);
+  felt.anchor = toVec3(touch.anchor_mm);
+  felt.hold = toVec3(touch.hold_mm);
   felt.triangle = touch.triangle;
   felt.anchor_triangle = touch.anchor_triangle;
   felt.tissue_mm = touch.tissue_mm;
   felt.rest_mm = touch.rest_mm;
-  felt.dent = {vectorOf(touch.dent_mm), touch.dent_rest_mm, touch.dent_triangle};
-  felt.lump_force = vectorOf(touch.lump_force_n);
+  felt.dent = {toVec3(touch.dent_mm), touch.dent_rest_mm, touch.dent_triangle};
+  felt.lump_force = toVec3(touch.lump_force_n);
   felt.lump_share = touch.lump_share;
   felt.lump_moved_mm = {touch.lump_moved_mm[0], touch.lump_moved_mm[1]};
   felt.lump = touch.lump;

@@ -10,7 +10,7 @@
 
 namespace palpate::c_api {
 
-palpate_world* handleOf(engine::WorldFromArrays built) {
+palpate_world* makeHandle(engine::WorldFromArrays built) {
   auto handle = std::make_unique<palpate_world>();
   handle->built = std::move(built);
   return handle.release();
@@ -18,7 +18,7 @@ palpate_world* handleOf(engine::WorldFromArrays built) {
 
 namespace {
 
-scene::Scene sceneOf(const char* toml, const char* name) {
+scene::Scene parseScene(const char* toml, const char* name) {
   return scene::parse(toml, name == nullptr ? "scene" : name);
 }
 
@@ -33,7 +33,7 @@ engine::WorldFromArrays built(const Real* positions, const Integer* corners, con
       engine::meshFromArrays(std::span(positions, 3 * arrays.vertices), std::span(corners, 3 * arrays.triangles));
   std::span<const double> stiffness;
   if (arrays.stiffness_n_per_mm != nullptr) stiffness = {arrays.stiffness_n_per_mm, arrays.vertices};
-  const scene::Scene scene = arrays.scene_toml == nullptr ? scene::Scene() : sceneOf(arrays.scene_toml, "arrays");
+  const scene::Scene scene = arrays.scene_toml == nullptr ? scene::Scene() : parseScene(arrays.scene_toml, "arrays");
   return engine::worldFromMesh(mesh, stiffness, scene);
 }
 
@@ -50,7 +50,7 @@ palpate_world* worldFrom(const palpate_arrays& arrays) {
           "arrays: exactly one of corners and corners_i64 is given");
   checkCount(arrays.vertices);
   checkCount(arrays.triangles);
-  return handleOf(arrays.positions_mm != nullptr ? built(arrays.positions_mm, arrays)
+  return makeHandle(arrays.positions_mm != nullptr ? built(arrays.positions_mm, arrays)
                                                  : built(arrays.positions_mm_f32, arrays));
 }
 
@@ -65,7 +65,7 @@ using c_api::require;
 int32_t palpate_world_load(const char* utf8_path, palpate_world** out, palpate_error* error) noexcept {
   return answeredWith(out, error, [&] {
     require(utf8_path != nullptr, "the path is null");
-    return c_api::handleOf(scene::build(scene::load(pathOf(utf8_path))));
+    return c_api::makeHandle(scene::build(scene::load(pathOf(utf8_path))));
   });
 }
 
@@ -73,7 +73,7 @@ int32_t palpate_world_parse(const char* utf8_toml, const char* name, palpate_wor
                             palpate_error* error) noexcept {
   return answeredWith(out, error, [&] {
     require(utf8_toml != nullptr, "the text is null");
-    return c_api::handleOf(scene::build(c_api::sceneOf(utf8_toml, name)));
+    return c_api::makeHandle(scene::build(c_api::parseScene(utf8_toml, name)));
   });
 }
 
@@ -82,7 +82,7 @@ int32_t palpate_world_torso(size_t triangles, palpate_world** out, palpate_error
     scene::Scene scene;
     scene.body.kind = scene::BodyKind::torso;
     scene.body.triangles = triangles;
-    return c_api::handleOf(scene::build(scene));
+    return c_api::makeHandle(scene::build(scene));
   });
 }
 
@@ -98,8 +98,8 @@ int32_t palpate_world_rebuilt(const palpate_world* world, const char* utf8_toml,
   return answeredWith(out, error, [&] {
     require(world != nullptr && utf8_toml != nullptr, "the world or the text is null");
     engine::WorldFromArrays built = world->built;  // the same vertices, so the same maps
-    built.world = scene::rebuilt(world->world(), c_api::sceneOf(utf8_toml, name));
-    return c_api::handleOf(std::move(built));
+    built.world = scene::rebuilt(world->world(), c_api::parseScene(utf8_toml, name));
+    return c_api::makeHandle(std::move(built));
   });
 }
 

@@ -18,9 +18,9 @@ struct palpate_world {
 namespace palpate::c_api {
 
 /// Fills a new handle. Throws ArgumentError for no world.
-palpate_world* handleOf(engine::WorldFromArrays built);
-inline palpate_world* handleOf(std::shared_ptr<const scene::World> world) {
-  return handleOf(engine::WorldFromArrays{std::move(world), {}, {}, {}, {}});
+palpate_world* makeHandle(engine::WorldFromArrays built);
+inline palpate_world* makeHandle(std::shared_ptr<const scene::World> world) {
+  return makeHandle(engine::WorldFromArrays{std::move(world), {}, {}, {}, {}});
 }
 
 }  // namespace palpate::c_api

@@ -21,7 +21,7 @@ void putVector(const Vec3& vector, double (&target)[3]) noexcept {
   for (int axis = 0; axis < 3; ++axis) target[axis] = vector[axis];
 }
 
-palpate_world_facts factsOf(const scene::World& world) {
+palpate_world_facts makeWorldFacts(const scene::World& world) {
   palpate_world_facts facts = {};
   facts.vertices = world.body->skin.positions.size();
   facts.triangles = world.body->skin.triangles.size();
@@ -40,7 +40,7 @@ palpate_world_facts factsOf(const scene::World& world) {
   return facts;
 }
 
-palpate_lump lumpOf(const scene::PlacedLump& placed) noexcept {
+palpate_lump toCLump(const scene::PlacedLump& placed) noexcept {
   palpate_lump lump = {};
   putVector(placed.lump.foot, lump.foot_mm);
   putVector(placed.lump.axis, lump.axis);
@@ -67,7 +67,7 @@ palpate_place placeOf(const SkinPlace& at, std::string_view name) noexcept {
   return place;
 }
 
-const std::vector<Index>* mapOf(const engine::WorldFromArrays& built, int32_t map) noexcept {
+const std::vector<Index>* findIndexMap(const engine::WorldFromArrays& built, int32_t map) noexcept {
   switch (map) {
     case PALPATE_MAP_SOURCE_VERTEX:
       return &built.source_vertex;
@@ -93,7 +93,7 @@ using c_api::require;
 int32_t palpate_world_get_facts(const palpate_world* world, palpate_world_facts* facts) noexcept {
   return answered(nullptr, [&] {
     require(world != nullptr && c_api::isUsable(facts), "");
-    c_api::toCaller(c_api::factsOf(world->world()), facts);
+    c_api::toCaller(c_api::makeWorldFacts(world->world()), facts);
   });
 }
 
@@ -110,7 +110,7 @@ const double* palpate_world_stiffness(const palpate_world* world) noexcept {
 }
 
 const uint32_t* palpate_world_map(const palpate_world* world, int32_t map, size_t* count) noexcept {
-  const std::vector<Index>* found = world == nullptr ? nullptr : c_api::mapOf(world->built, map);
+  const std::vector<Index>* found = world == nullptr ? nullptr : c_api::findIndexMap(world->built, map);
   const bool is_there = found != nullptr && !found->empty();
   if (count != nullptr) *count = is_there ? found->size() : 0;
   return is_there ? found->data() : nullptr;
@@ -137,7 +137,7 @@ int32_t palpate_world_landmark(const palpate_world* world, size_t index, palpate
 
 int32_t palpate_world_lump(const palpate_world* world, size_t index, palpate_lump* lump) noexcept {
   if (world == nullptr || !c_api::isUsable(lump) || index >= world->world().lumps.size()) return PALPATE_ARGUMENT;
-  c_api::toCaller(c_api::lumpOf(*world->world().lumps[index]), lump);
+  c_api::toCaller(c_api::toCLump(*world->world().lumps[index]), lump);
   return PALPATE_OK;
 }
 

@@ -34,7 +34,7 @@ DeviceMeasurement measureDevice(const device::Device& device, double seconds, co
   pacing.spin_s = 0.0;  // the driver's thread may need this core
   servo::Pacer pacer(pacing);
   const auto started = Clock::now();
-  while (secondsSince(started) < seconds && endAskedBy() == 0) {
+  while (secondsSince(started) < seconds && endingSignal() == 0) {
     const Vec3 tip = device.read_tip(pacer.waitForNext().tick);
     const device::DeviceState state = device.state ? device.state() : device::DeviceState{};
     device.write_force(Vec3::Zero());

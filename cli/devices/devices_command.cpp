@@ -47,7 +47,7 @@ void measure(const std::string& words, const DevicesOptions& options, const Prog
   }
 }
 
-DeviceFinding findingOf(const std::string& words, const DevicesOptions& options, const Progress& progress) {
+DeviceFinding examineDevice(const std::string& words, const DevicesOptions& options, const Progress& progress) {
   device::MouseLink window;  // `palpate run` has one
   device::OpenOptions opening;
   opening.mouse = &window;
@@ -78,7 +78,7 @@ void runIdentify(const DevicesOptions& options) {
   settings.realtime = options.realtime;
   const Identified found = identifyDevice(settings, progress.display());
   progress.clear();
-  fmt::print("{}", options.json ? jsonDump(jsonOf(found), 2) + "\n" : textOf(found));
+  fmt::print("{}", options.json ? jsonDump(toJson(found), 2) + "\n" : textOf(found));
 }
 
 void runDevices(const DevicesOptions& options) {
@@ -88,10 +88,10 @@ void runDevices(const DevicesOptions& options) {
   std::string text;
   bool all_here = true;
   for (const std::string& words : wantedNames(options)) {
-    endIfAsked();
-    const DeviceFinding finding = findingOf(words, options, progress.display());
+    throwIfInterrupted();
+    const DeviceFinding finding = examineDevice(words, options, progress.display());
     all_here = all_here && finding.probe.available && finding.not_measured.empty();
-    json.push_back(jsonOf(finding));
+    json.push_back(toJson(finding));
     text += textOf(finding, options.doctor);
   }
   progress.clear();

@@ -38,7 +38,7 @@ Json measuredJson(const DeviceMeasurement& measured) {
           {"trouble", measured.trouble}};
 }
 
-std::string percentileWords(const servo::DurationPercentiles& p) {
+std::string formatPercentiles(const servo::DurationPercentiles& p) {
   return fmt::format("p50 {:.0f}  p99 {:.0f}  max {:.0f} us", p.p50_us, p.p99_us, p.max_us);
 }
 
@@ -64,9 +64,9 @@ std::string abilityText(const device::Capabilities& able) {
 
 std::string measuredText(const DeviceMeasurement& measured) {
   std::string text = fmt::format("  positions  {:.0f} a second; between two {}\n", measured.positions_per_s,
-                                 percentileWords(measured.interval));
+                                 formatPercentiles(measured.interval));
   text +=
-      fmt::format("  delay      {}, from a force to the first position after it\n", percentileWords(measured.delay));
+      fmt::format("  delay      {}, from a force to the first position after it\n", formatPercentiles(measured.delay));
   if (measured.with_position_share < 1.0) {
     text += fmt::format("  trouble    without a position for {:.1f} % of the time\n",
                         100.0 * (1.0 - measured.with_position_share));
@@ -77,7 +77,7 @@ std::string measuredText(const DeviceMeasurement& measured) {
 
 }  // namespace
 
-Json jsonOf(const DeviceFinding& finding) {
+Json toJson(const DeviceFinding& finding) {
   const device::Probe& probe = finding.probe;
   Json looked_for = Json::array();
   for (const device::LookedFor& looked : probe.looked_for) {

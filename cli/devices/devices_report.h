@@ -40,7 +40,7 @@ struct DeviceFinding {
 };
 
 /// Keys carry their units; docs/reference/devices.md lists them.
-Json jsonOf(const DeviceFinding& finding);
+Json toJson(const DeviceFinding& finding);
 
 /// Name, whether it is available, why not and the remedy; with every place that was searched when `whole`.
 std::string textOf(const DeviceFinding& finding, bool whole);
@@ -70,10 +70,10 @@ struct Identified {
 Identified identifyDevice(const IdentifySettings& settings, const Progress& progress);
 
 /// The lines for `[safety]`.
-std::string safetyLinesOf(const Identified& found);
+std::string formatSafetyLines(const Identified& found);
 
 std::string textOf(const Identified& found);
 /// Keys carry their units; docs/reference/devices.md lists them.
-Json jsonOf(const Identified& found);
+Json toJson(const Identified& found);
 
 }  // namespace palpate::app

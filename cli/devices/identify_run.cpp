@@ -62,7 +62,7 @@ class LetsGo {
 };
 
 /// The user at the device reads it, even when the report goes to a program.
-void tellHolder(const IdentifySettings& settings, const std::string& words) {
+void instructUser(const IdentifySettings& settings, const std::string& words) {
   std::FILE* const to = settings.json ? stderr : stdout;
   fmt::print(to, "{}\n", words);
   std::fflush(to);
@@ -70,22 +70,22 @@ void tellHolder(const IdentifySettings& settings, const std::string& words) {
 
 void waitWithoutForce(const device::Device& device, double seconds) {
   servo::Pacer pacer(servo::PacingSettings{});
-  for (std::uint64_t tick = 0; static_cast<double>(tick) * kTickS < seconds && endAskedBy() == 0;) {
+  for (std::uint64_t tick = 0; static_cast<double>(tick) * kTickS < seconds && endingSignal() == 0;) {
     tick = pacer.waitForNext().tick;
     (void)device.read_tip(tick);
     device.write_force(Vec3::Zero());
   }
-  endIfAsked();
+  throwIfInterrupted();
 }
 
 void askToLetGo(const IdentifySettings& settings, const device::Device& device, int round) {
-  tellHolder(settings, fmt::format("{} {} in the middle of its reach, so that it stays there when you let go.",
-                                   round == 0 ? "Hold" : "Again: hold", device.name));
+  instructUser(settings, fmt::format("{} {} in the middle of its reach, so that it stays there when you let go.",
+                                     round == 0 ? "Hold" : "Again: hold", device.name));
   for (int left = kCountdownS; left > 0; --left) {
-    tellHolder(settings, fmt::format("  let go in {} s", left));
+    instructUser(settings, fmt::format("  let go in {} s", left));
     waitWithoutForce(device, 1.0);
   }
-  tellHolder(settings, "  let go, and keep off until it stands still");
+  instructUser(settings, "  let go, and keep off until it stands still");
   waitWithoutForce(device, 1.0);
 }
 
@@ -93,12 +93,12 @@ void swing(const device::Device& device, device::Swings& swings, bool paced, con
   servo::Pacer pacer(servo::PacingSettings{});
   std::uint64_t tick = paced ? pacer.waitForNext().tick : 0;
   const std::uint64_t first = tick;
-  for (; !swings.finished() && endAskedBy() == 0; tick = paced ? pacer.waitForNext().tick : tick + 1) {
+  for (; !swings.finished() && endingSignal() == 0; tick = paced ? pacer.waitForNext().tick : tick + 1) {
     device.write_force(swings.tick(tick - first, device.read_tip(tick)));
     if (tick % kTicksPerReport == 0) report(progress, "swinging " + device.name, swings.progress());
   }
   device.write_force(Vec3::Zero());
-  endIfAsked();
+  throwIfInterrupted();
 }
 
 DeviceIdentification oneRound(const device::Device& device, bool paced, const Progress& progress) {
@@ -140,9 +140,9 @@ Identified identifyDevice(const IdentifySettings& settings, const Progress& prog
   found.model = device.capabilities.model;
   found.simulated = device.capabilities.rhythm == device::Rhythm::on_call;
   found.most_force_n = device::swingPlan(device.capabilities, kTickS).most_force_n;
-  tellHolder(settings,
-             fmt::format("{} is going to swing left and right by itself, with at most {:.2f} N. Ctrl-C stops it.",
-                         device::describe(device), found.most_force_n));
+  instructUser(settings,
+               fmt::format("{} is going to swing left and right by itself, with at most {:.2f} N. Ctrl-C stops it.",
+                           device::describe(device), found.most_force_n));
   for (int round = 0; round < settings.rounds; ++round) {
     if (!found.simulated) askToLetGo(settings, device, round);
     found.rounds.push_back(oneRound(device, settings.realtime || !found.simulated, progress));
@@ -151,7 +151,7 @@ Identified identifyDevice(const IdentifySettings& settings, const Progress& prog
   return found;
 }
 
-std::string safetyLinesOf(const Identified& found) {
+std::string formatSafetyLines(const Identified& found) {
   return fmt::format("device_damping_n_s_per_mm = {:.2e}\ndevice_friction_n = {:.3f}\ndelay_ticks = {:.2f}\n",
                      std::max(0.0, found.middle.damping_n_s_per_mm), std::max(0.0, found.middle.friction_n),
                      std::max(0.0, found.middle.delay_ticks));
@@ -172,10 +172,10 @@ std::string textOf(const Identified& found) {
   if (middle.residual_mm > kDoubtful || middle.damping_n_s_per_mm < 0.0) {
     text += "  doubtful   it did not move like a device that is let go: was it touched, or at a stop?\n";
   }
-  return text + "\nFor the scene:\n\n[safety]\n" + safetyLinesOf(found);
+  return text + "\nFor the scene:\n\n[safety]\n" + formatSafetyLines(found);
 }
 
-Json jsonOf(const Identified& found) {
+Json toJson(const Identified& found) {
   Json rounds = Json::array();
   for (const DeviceIdentification& round : found.rounds) rounds.push_back(numbersJson(round));
   Json json = {{"device", found.words},
@@ -185,7 +185,7 @@ Json jsonOf(const Identified& found) {
   json.update(numbersJson(found.middle));
   json["spread"] = numbersJson(found.spread);
   json["rounds"] = rounds;
-  json["safety"] = safetyLinesOf(found);
+  json["safety"] = formatSafetyLines(found);
   return json;
 }
 

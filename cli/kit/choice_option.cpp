@@ -12,7 +12,7 @@ namespace palpate::app {
 
 namespace {
 
-std::string typeOf(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, "|")); }
+std::string joinChoices(const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, "|")); }
 
 /// Ignores case.
 bool isSameChoice(const std::string& one, const std::string& other) {
@@ -29,14 +29,14 @@ std::string faultOfChoice(const std::string& wanted, const std::vector<std::stri
   return fmt::format("'{}' is not one of {}{}", oneLine(wanted), fmt::join(names, "|"), hint);
 }
 
-Option* takesOneOf(const std::vector<std::string>& names, Option* option) {
+Option* restrictTo(const std::vector<std::string>& names, Option* option) {
   option->check([names](const std::string& wanted) { return faultOfChoice(wanted, names); });
-  return option->type_name(typeOf(names));
+  return option->type_name(joinChoices(names));
 }
 
-Option* addChoiceOf(Command& command, const std::string& option, const std::vector<std::string>& names,
-                    std::optional<std::size_t> standard, const std::function<void(std::size_t)>& choose,
-                    const std::string& help) {
+Option* addIndexedChoice(Command& command, const std::string& option, const std::vector<std::string>& names,
+                         std::optional<std::size_t> standard, const std::function<void(std::size_t)>& choose,
+                         const std::string& help) {
   const auto read = [names, option, choose](const std::string& wanted) {
     const auto chosen =
         std::ranges::find_if(names, [&](const std::string& name) { return isSameChoice(name, wanted); });
@@ -44,13 +44,13 @@ Option* addChoiceOf(Command& command, const std::string& option, const std::vect
     choose(static_cast<std::size_t>(chosen - names.begin()));
   };
   const std::string shown = standard ? "; default " + names[*standard] : std::string();
-  return command.add_option_function(option, read, help + shown)->type_name(typeOf(names));
+  return command.add_option_function(option, read, help + shown)->type_name(joinChoices(names));
 }
 
 Option* addLanguage(Command& command, std::string& code) {
   std::vector<std::string> codes;
   for (const Language& language : languages()) codes.emplace_back(language.code);
-  return takesOneOf(codes,
+  return restrictTo(codes,
                     command.add_option("--language", code, "Language of what people read (default: the system's)"));
 }
 

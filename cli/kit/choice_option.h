@@ -19,7 +19,7 @@ using Choices = std::vector<std::pair<std::string, Value>>;  ///< in the order o
 
 /// The words of an enumeration, which a command spells with hyphens.
 template <class Value>
-Choices<Value> choicesOf() {
+Choices<Value> makeChoices() {
   Choices<Value> choices;
   for (const auto& [word, value] : WordsOf<Value>::kAll) {
     choices.emplace_back(word, value);
@@ -31,34 +31,34 @@ Choices<Value> choicesOf() {
 /// The value of one of these names.
 template <class Value>
 std::optional<Value> choiceNamed(const std::string& wanted) {
-  for (const auto& [name, value] : choicesOf<Value>()) {
+  for (const auto& [name, value] : makeChoices<Value>()) {
     if (name == wanted) return value;
   }
   return std::nullopt;
 }
 
 template <class Value>
-std::vector<std::string> namesOf(const Choices<Value>& choices) {
+std::vector<std::string> choiceNames(const Choices<Value>& choices) {
   std::vector<std::string> names;
   for (const auto& choice : choices) names.push_back(choice.first);
   return names;
 }
 template <class Value>
 std::vector<std::string> choiceNames() {
-  return namesOf(choicesOf<Value>());
+  return choiceNames(makeChoices<Value>());
 }
 
 /// The error for a word that is not among the names; empty for one of them.
 std::string faultOfChoice(const std::string& wanted, const std::vector<std::string>& names);
 
 /// Restricts an option that keeps the word itself to these, as the help says too.
-Option* takesOneOf(const std::vector<std::string>& names, Option* option);
+Option* restrictTo(const std::vector<std::string>& names, Option* option);
 
 /// addChoice for a value of any type: `choose` is called with the index of the chosen name, and `standard` is the index
 /// of the default, none if no name is it.
-Option* addChoiceOf(Command& command, const std::string& option, const std::vector<std::string>& names,
-                    std::optional<std::size_t> standard, const std::function<void(std::size_t)>& choose,
-                    const std::string& help);
+Option* addIndexedChoice(Command& command, const std::string& option, const std::vector<std::string>& names,
+                         std::optional<std::size_t> standard, const std::function<void(std::size_t)>& choose,
+                         const std::string& help);
 
 /// Adds an option that accepts one of the names; another is a usage error that lists them. `value` is the default,
 /// shown in the help, and must outlive the command.
@@ -70,13 +70,13 @@ Option* addChoice(Command& command, const std::string& option, Value& value, con
     if (choices[i].second == value) standard = i;
   }
   const auto choose = [&value, choices](std::size_t place) { value = choices[place].second; };
-  return addChoiceOf(command, option, namesOf(choices), standard, choose, help);
+  return addIndexedChoice(command, option, choiceNames(choices), standard, choose, help);
 }
 
 /// The same with all words of the enumeration.
 template <class Value>
 Option* addChoice(Command& command, const std::string& option, Value& value, const std::string& help) {
-  return addChoice(command, option, value, choicesOf<Value>(), help);
+  return addChoice(command, option, value, makeChoices<Value>(), help);
 }
 
 /// For a command whose pages or windows are translated: it calls useLanguage(code). `code` must outlive the command.

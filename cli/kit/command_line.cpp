@@ -42,7 +42,7 @@ std::string fullName(const Command& command) {
   return parent == nullptr ? command.get_name() : fullName(*parent) + " " + command.get_name();
 }
 
-std::vector<std::string> subcommandsOf(const Command& command) {
+std::vector<std::string> subcommandNames(const Command& command) {
   std::vector<std::string> names;
   for (const Command* sub : command.all_subcommands()) {
     names.push_back(sub->get_name());
@@ -51,7 +51,7 @@ std::vector<std::string> subcommandsOf(const Command& command) {
 }
 
 /// Without their hyphens, which do not help to find the nearest.
-std::vector<std::string> optionsOf(const Command& command) {
+std::vector<std::string> optionNames(const Command& command) {
   std::vector<std::string> names;
   for (const Option* option : command.get_options()) {
     names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
@@ -61,20 +61,20 @@ std::vector<std::string> optionsOf(const Command& command) {
 
 std::string unknownOption(const Command& command, const std::string& word) {
   const std::string written = word.substr(0, word.find('='));
-  const std::string nearest = nearestName(written.substr(written.find_first_not_of('-')), optionsOf(command));
+  const std::string nearest = nearestName(written.substr(written.find_first_not_of('-')), optionNames(command));
   const std::string hint = nearest.empty() ? nearest : fmt::format("; did you mean '--{}'?", nearest);
   return fmt::format("unknown option '{}' of {}{}", oneLine(written), fullName(command), hint);
 }
 
 /// For a word that is neither command nor option, CLI11 says at most that something is missing.
-std::string reasonOf(const Command& app, const UsageError& error) {
+std::string explainUsageError(const Command& app, const UsageError& error) {
   const std::vector<std::string> unknown = app.remaining();
-  if (!error.isAboutWords() || unknown.empty()) return error.what();
+  if (!error.isAboutArguments() || unknown.empty()) return error.what();
   const std::string& word = unknown.front();
   const Command& command = chosenCommand(app);
   if (word.find_first_not_of('-') == std::string::npos) return error.what();
   if (word.starts_with('-')) return unknownOption(command, word);
-  const std::vector<std::string> commands = subcommandsOf(command);
+  const std::vector<std::string> commands = subcommandNames(command);
   if (!commands.empty()) return unknownName("command", word, "", commands);
   return fmt::format("'{}' is one word too many for {}", oneLine(word), fullName(command));
 }
@@ -111,7 +111,7 @@ int parse(Command& app, const std::vector<std::string>& words) {
   } catch (const ExitWith& answer) {
     return answer.code();
   } catch (const UsageError& error) {
-    say(readableText(fmt::format("palpate: {} (see --help)\n", reasonOf(app, error))));
+    say(readableText(fmt::format("palpate: {} (see --help)\n", explainUsageError(app, error))));
     return kWrongInput;
   }
   return 0;
@@ -121,7 +121,7 @@ int parse(Command& app, const std::vector<std::string>& words) {
 int flushed(int exit_code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
   const int reason = errno;
-  if (reason == EPIPE) return exitCodeOf(system::kBrokenPipe);  // the reader has what it wanted
+  if (reason == EPIPE) return signalExitCode(system::kBrokenPipe);  // the reader has what it wanted
   say(fmt::format("palpate: standard output: cannot be written: {}\n", std::generic_category().message(reason)));
   return kWrongInput;
 }
@@ -131,7 +131,7 @@ bool answered(const Command& app, const std::vector<std::string>& words) {
   if (words.empty()) return false;
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   if (words.front() == kCompleteOption) {
-    for (const std::string& word : completionsOf(app, rest)) fmt::print("{}\n", word);
+    for (const std::string& word : findCompletions(app, rest)) fmt::print("{}\n", word);
     return true;
   }
   if (words.front() != kManOption) return false;
@@ -143,7 +143,7 @@ int runToTheEnd(Command& app, const std::vector<std::string>& words) {
   try {
     return flushed(answered(app, words) ? 0 : parse(app, words));
   } catch (const Ended&) {
-    say(fmt::format("palpate: ended by {}\n", nameOfSignal(endAskedBy())));
+    say(fmt::format("palpate: ended by {}\n", nameOfSignal(endingSignal())));
   } catch (const std::system_error& error) {  // fmt's, when it cannot print
     if (std::ferror(stdout) != 0) return flushed(kWrongInput);
     say(fmt::format("palpate: {}\n", error.what()));
@@ -247,7 +247,7 @@ int runProgram(const std::function<int()>& body) {
 int runCommandLine(Command& app, const std::vector<std::string>& words) {
   listenForSignals();
   const int exit_code = runToTheEnd(app, words);
-  return endAskedBy() == 0 ? exit_code : exitCodeOf(endAskedBy());
+  return endingSignal() == 0 ? exit_code : signalExitCode(endingSignal());
 }
 
 }  // namespace palpate::app

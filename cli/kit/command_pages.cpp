@@ -20,7 +20,7 @@ const Command* commandNamed(const Command& app, const std::string& word) {
 }
 
 /// "--out", "-o"; empty for a positional argument.
-std::vector<std::string> namesOf(const Option& option) {
+std::vector<std::string> optionSpellings(const Option& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
@@ -29,7 +29,7 @@ std::vector<std::string> namesOf(const Option& option) {
 
 const Option* optionNamed(const Command& app, const std::string& word) {
   for (const Option* option : app.get_options()) {
-    if (std::ranges::count(namesOf(*option), word) > 0) return option;
+    if (std::ranges::count(optionSpellings(*option), word) > 0) return option;
   }
   return nullptr;
 }
@@ -37,7 +37,7 @@ const Option* optionNamed(const Command& app, const std::string& word) {
 bool isFlag(const Option& option) { return option.get_items_expected_max() == 0; }
 
 /// "dry|oiled|none" as its words; empty for an option with other values too, which are written in capitals.
-std::vector<std::string> valuesOf(const Option& option) {
+std::vector<std::string> optionValues(const Option& option) {
   const std::string type = option.get_type_name();
   std::vector<std::string> words;
   if (type.find('|') == std::string::npos) return words;
@@ -77,7 +77,7 @@ std::string defaultOf(const Option& option) {
 }
 
 std::string optionText(const Option& option) {
-  std::vector<std::string> names = namesOf(option);
+  std::vector<std::string> names = optionSpellings(option);
   if (names.empty()) names = {option.get_name()};  // positional
   std::string text = fmt::format(".TP\n\\fB{}\\fR", roff(fmt::format("{}", fmt::join(names, ", "))));
   if (!isFlag(option) && !option.get_type_name().empty())
@@ -116,7 +116,7 @@ std::string seeAlso(const std::string& program) {
 
 }  // namespace
 
-std::vector<std::string> completionsOf(const Command& app, const std::vector<std::string>& words) {
+std::vector<std::string> findCompletions(const Command& app, const std::vector<std::string>& words) {
   if (words.empty()) return {};
   const Command* command = &app;
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
@@ -125,10 +125,10 @@ std::vector<std::string> completionsOf(const Command& app, const std::vector<std
   std::vector<std::string> candidates;
   const Option* before = words.size() < 2 ? nullptr : optionNamed(*command, words[words.size() - 2]);
   if (before != nullptr && !isFlag(*before)) {
-    candidates = valuesOf(*before);
+    candidates = optionValues(*before);
   } else if (words.back().starts_with('-')) {
     for (const Option* option : command->get_options()) {
-      for (std::string& name : namesOf(*option)) candidates.push_back(std::move(name));
+      for (std::string& name : optionSpellings(*option)) candidates.push_back(std::move(name));
     }
   } else {
     for (const Command* sub : command->all_subcommands()) candidates.push_back(sub->get_name());

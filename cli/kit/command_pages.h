@@ -16,7 +16,7 @@ inline constexpr const char* kCompleteOption = "--complete";
 inline constexpr const char* kManOption = "--man";
 
 /// Completions of the last word: commands, options, or an option's values. Empty where file names may follow.
-std::vector<std::string> completionsOf(const Command& app, const std::vector<std::string>& words);
+std::vector<std::string> findCompletions(const Command& app, const std::vector<std::string>& words);
 
 /// Section 1, as roff: the program's commands with their options. `program`: "palpate", "palpate-teach".
 std::string manPage(const Command& app, const std::string& program);

@@ -57,7 +57,7 @@ const std::vector<FamilyCommand>& familyCommands() {
   return rows;
 }
 
-const FamilyCommand* familyOf(const std::vector<std::string>& words) {
+const FamilyCommand* findFamilyCommand(const std::vector<std::string>& words) {
   for (const FamilyCommand& row : familyCommands()) {
     if (beginsWith(words, row.command)) return &row;
   }

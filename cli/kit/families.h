@@ -21,7 +21,7 @@ const std::vector<FamilyCommand>& familyCommands();
 std::string_view familyTable();
 
 /// The row that a command line begins with; nullptr for a command of `palpate` itself and for an unknown one.
-const FamilyCommand* familyOf(const std::vector<std::string>& words);
+const FamilyCommand* findFamilyCommand(const std::vector<std::string>& words);
 
 /// The path next to our own program; empty where it is not installed.
 std::filesystem::path familyProgram(std::string_view family);

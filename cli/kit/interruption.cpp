@@ -39,34 +39,34 @@ extern "C" void askForEnd(int signal) {
   int nobody = 0;
   if (asked_by.compare_exchange_strong(nobody, signal)) {
     asked_at_ns.store(system::clockInHandlerNs());
-    if (orderly.load() > 0 || filesUnderWay() > 0) return system::tellInHandler(kEnding);
-    system::tellInHandler(kEnded);
-    system::endNow(exitCodeOf(signal));
+    if (orderly.load() > 0 || filesUnderWay() > 0) return system::printInHandler(kEnding);
+    system::printInHandler(kEnded);
+    system::endNow(signalExitCode(signal));
   }
-  if (system::clockInHandlerNs() - asked_at_ns.load() > kSecondAfterNs) system::endNow(exitCodeOf(signal));
+  if (system::clockInHandlerNs() - asked_at_ns.load() > kSecondAfterNs) system::endNow(signalExitCode(signal));
 }
 
 }  // namespace
 
 void listenForSignals() {
-  system::whenAskedToEnd(askForEnd);
+  system::onStopRequest(askForEnd);
   system::endWithStarter();
 }
 
 FinishesInOrder::FinishesInOrder() { ++orderly; }
 FinishesInOrder::~FinishesInOrder() { --orderly; }
 
-NothingToFinish::NothingToFinish() : orderly_before_(orderly.exchange(0)) {
-  if (endAskedBy() == 0) return;
+EndAtOnce::EndAtOnce() : orderly_before_(orderly.exchange(0)) {
+  if (endingSignal() == 0) return;
   orderly += orderly_before_;
   throw Ended();
 }
-NothingToFinish::~NothingToFinish() { orderly += orderly_before_; }
+EndAtOnce::~EndAtOnce() { orderly += orderly_before_; }
 
 StoppedBySignal::StoppedBySignal(servo::EmergencyStop& stop) { pressed_first = &stop; }
 StoppedBySignal::~StoppedBySignal() { pressed_first = nullptr; }
 
-int endAskedBy() { return asked_by.load(); }
+int endingSignal() { return asked_by.load(); }
 
 std::string_view nameOfSignal(int signal) {
   for (const EndingSignal& known : kEndingSignals) {
@@ -75,13 +75,13 @@ std::string_view nameOfSignal(int signal) {
   return {};
 }
 
-void endIfAsked() {
-  if (endAskedBy() != 0) throw Ended();
+void throwIfInterrupted() {
+  if (endingSignal() != 0) throw Ended();
 }
 
-Progress endingWhenAsked(Progress progress) {
+Progress interruptible(Progress progress) {
   return [progress = std::move(progress)](std::string_view stage, double done) {
-    endIfAsked();
+    throwIfInterrupted();
     report(progress, stage, done);
   };
 }

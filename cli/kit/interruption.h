@@ -16,7 +16,7 @@ namespace palpate::app {
 /// has left become errors of the write instead of silent ends.
 void listenForSignals();
 
-/// While one lives, a signal is only a request: work checks endAskedBy().
+/// While one lives, a signal is only a request: work checks endingSignal().
 class FinishesInOrder {
  public:
   FinishesInOrder();
@@ -27,12 +27,12 @@ class FinishesInOrder {
 
 /// While one lives, a signal ends the program at once, whatever FinishesInOrder lives around it: a world is being
 /// built, and nothing would be lost. After a signal, making one throws Ended.
-class NothingToFinish {
+class EndAtOnce {
  public:
-  NothingToFinish();
-  ~NothingToFinish();
-  NothingToFinish(const NothingToFinish&) = delete;
-  NothingToFinish& operator=(const NothingToFinish&) = delete;
+  EndAtOnce();
+  ~EndAtOnce();
+  EndAtOnce(const EndAtOnce&) = delete;
+  EndAtOnce& operator=(const EndAtOnce&) = delete;
 
  private:
   int orderly_before_;
@@ -49,11 +49,11 @@ class StoppedBySignal {
 };
 
 /// The signal that requested the end, or 0.
-int endAskedBy();
+int endingSignal();
 /// "SIGINT"; empty for 0.
 std::string_view nameOfSignal(int signal);
 /// The exit code that a shell expects after a signal: 130 for SIGINT.
-inline int exitCodeOf(int signal) { return 128 + signal; }
+inline int signalExitCode(int signal) { return 128 + signal; }
 
 /// Not an Error: nothing is wrong, and code that logs errors and continues must not continue.
 class Ended : public std::exception {
@@ -62,9 +62,9 @@ class Ended : public std::exception {
 };
 
 /// Throws Ended after a signal.
-void endIfAsked();
+void throwIfInterrupted();
 
 /// The same progress, but work that reports it throws Ended after a signal.
-Progress endingWhenAsked(Progress progress);
+Progress interruptible(Progress progress);
 
 }  // namespace palpate::app

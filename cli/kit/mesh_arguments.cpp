@@ -28,7 +28,7 @@ double millimetresFrom(const std::string& word) {
   if (const auto unit = valueNamed<scene::Unit>(word)) return millimetresOf(*unit);
   if (parseNumber(word)) return numberFrom(kUnitOption, word, between(0.0, 1e9, "mm"));
   throw UsageError(kUnitOption, fmt::format("'{}' is neither one of {} nor a number of millimetres", oneLine(word),
-                                            fmt::join(allWords<scene::Unit>(), ", ")));
+                                            fmt::join(enumNames<scene::Unit>(), ", ")));
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ Option* addUnit(Command& command, double& unit_mm) {
       .add_option_function(kUnitOption, read,
                            "Unit of the mesh file, or how many millimetres it is: 25.4; auto: metres for "
                            "gltf and glb, mm for the others")
-      ->type_name(fmt::format("{}|{}", fmt::join(allWords<scene::Unit>(), "|"), kNumberType))
+      ->type_name(fmt::format("{}|{}", fmt::join(enumNames<scene::Unit>(), "|"), kNumberType))
       ->default_str("auto");
 }
 
@@ -54,7 +54,7 @@ void useUnit(double unit_mm, scene::BodySettings& body) {
 }
 
 void addPresetOption(Command& command, std::string& preset) {
-  takesOneOf(scene::presetNames(),
+  restrictTo(scene::presetNames(),
              command.add_option("--preset", preset,
                                 "Built-in scene by name: vhb is the dissertation's Virtual Haptic Back "
                                 "(docs/reference/dissertation.md), vhb-literal the same with its formulae as printed; "

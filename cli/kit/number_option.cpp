@@ -30,15 +30,15 @@ std::optional<std::int64_t> wholeNumber(std::string_view word) {
 
 }  // namespace
 
-std::string rangeWords(const Limits& limits) {
+std::string rangeText(const Limits& limits) {
   const std::string words = limits.range.words(limits.unit);
   return words.empty() ? words : " (" + words + ")";
 }
 
 double numberFrom(const std::string& option, const std::string& word, const Limits& limits) {
   const std::optional<double> number = parseNumber(word);
-  if (!number) refuse(option, quoted(word) + " is not a number" + rangeWords(limits));
-  if (!std::isfinite(*number)) refuse(option, quoted(word) + " is not a finite number" + rangeWords(limits));
+  if (!number) refuse(option, quoted(word) + " is not a number" + rangeText(limits));
+  if (!std::isfinite(*number)) refuse(option, quoted(word) + " is not a finite number" + rangeText(limits));
   if (!limits.range.holds(*number)) refuse(option, outOfRange(oneLine(word), limits.range, limits.unit));
   return *number;
 }
@@ -46,7 +46,7 @@ double numberFrom(const std::string& option, const std::string& word, const Limi
 std::int64_t countFrom(const std::string& option, const std::string& word, const Limits& limits) {
   const double number = numberFrom(option, word, limits);
   if (const auto whole = wholeNumber(trimmed(word))) return *whole;
-  if (number != std::floor(number)) refuse(option, quoted(word) + " is not a whole number" + rangeWords(limits));
+  if (number != std::floor(number)) refuse(option, quoted(word) + " is not a whole number" + rangeText(limits));
   if (std::abs(number) > kExactCounts) refuse(option, quoted(word) + " is too large a number");
   return static_cast<std::int64_t>(number);
 }
@@ -153,7 +153,7 @@ Option* addNumber(Command& command, const std::string& name, const NumberTarget&
   const auto read = [assign = value.assign_, shown_name, limits](const std::vector<std::string>& words) {
     assign(shown_name, words, limits);
   };
-  Option* option = command.add_option(name, read, help + rangeWords(limits), value.shown_);
+  Option* option = command.add_option(name, read, help + rangeText(limits), value.shown_);
   option->type_name(value.whole_ ? kCountType : kNumberType);
   option->expected(value.max_values_);  // a vector takes any number, one after the other or the option repeated
   return option;

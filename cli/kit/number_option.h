@@ -45,7 +45,7 @@ std::int64_t countFrom(const std::string& option, const std::string& word, const
 std::vector<double> numbersFrom(const std::string& option, const std::string& words, const Limits& limits);
 
 /// "(0 to 10,800 s)" for a help text, with a blank before it; empty without limits.
-std::string rangeWords(const Limits& limits);
+std::string rangeText(const Limits& limits);
 
 /// The variable behind an option: a number, a whole number, or several of them (std::optional, std::vector,
 /// std::array). Defined for the types of number_option.cpp.

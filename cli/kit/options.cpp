@@ -257,7 +257,7 @@ void Command::parse(const std::vector<std::string>& last_first) {
     }
     const bool about_words =
         error.get_name() == "RequiredError" || error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError);
-    throw about_words ? UsageError::aboutWords(error.what()) : UsageError(error.what());
+    throw about_words ? UsageError::aboutArguments(error.what()) : UsageError(error.what());
   }
 }
 std::vector<std::string> Command::remaining() const { return impl_->app->remaining(true); }

@@ -26,14 +26,14 @@ class UsageError : public std::runtime_error {
  public:
   explicit UsageError(const std::string& message) : std::runtime_error(message) {}
   UsageError(const std::string& option, const std::string& cause) : UsageError(option + ": " + cause) {}
-  static UsageError aboutWords(const std::string& message) {
+  static UsageError aboutArguments(const std::string& message) {
     UsageError error(message);
     error.about_words_ = true;
     return error;
   }
 
   /// A word was not expected or is missing, so that an unknown word says more (Command::remaining).
-  bool isAboutWords() const { return about_words_; }
+  bool isAboutArguments() const { return about_words_; }
 
  private:
   bool about_words_ = false;

@@ -28,7 +28,7 @@ ProgressLine::ProgressLine() : terminal_(system::messagesGoToATerminal()), next_
 
 ProgressLine::~ProgressLine() { clear(); }
 
-Progress ProgressLine::callback() { return endingWhenAsked(display()); }
+Progress ProgressLine::callback() { return interruptible(display()); }
 
 Progress ProgressLine::display() {
   return [this](std::string_view stage, double done) { show(stage, done); };

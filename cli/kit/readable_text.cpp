@@ -26,7 +26,7 @@ bool mayStand(std::uint32_t letter) {
 }
 
 /// Decodes the bytes of one letter.
-std::uint32_t letterOf(std::string_view bytes) {
+std::uint32_t decodeCodePoint(std::string_view bytes) {
   const auto first = static_cast<unsigned char>(bytes.front());
   std::uint32_t letter = bytes.size() == 1 ? first : first & (0x7fu >> bytes.size());
   for (const char next : bytes.substr(1)) letter = (letter << 6) | (static_cast<unsigned char>(next) & 0x3fu);
@@ -39,7 +39,7 @@ std::string readableText(std::string_view text) {
   std::string readable;
   while (!text.empty()) {
     const std::size_t bytes = letterBytes(text);
-    const bool stands = bytes > 0 && mayStand(letterOf(text.substr(0, bytes)));
+    const bool stands = bytes > 0 && mayStand(decodeCodePoint(text.substr(0, bytes)));
     readable += stands ? text.substr(0, bytes) : kReplacement;
     text.remove_prefix(stands ? bytes : 1);
   }

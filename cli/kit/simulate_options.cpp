@@ -110,11 +110,11 @@ void addInputOptions(Command& command, SimulateOptions& options) {
 }
 
 void addShapeOptions(Command& command, SimulateOptions& options) {
-  takesOneOf({kAverageBuild, "thin", "heavy"},
+  restrictTo({kAverageBuild, "thin", "heavy"},
              command.add_option("--build", options.build,
                                 "Build of the trunk: as scenes/thin.toml and scenes/heavy.toml have it (default: as "
                                 "the scene says)"));
-  takesOneOf(wordList<body::Posture>(),
+  restrictTo(wordList<body::Posture>(),
              command.add_option("--posture", options.posture,
                                 "How the trunk stands, lies or sits (default: as the scene says)"));
 }

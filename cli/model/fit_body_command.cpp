@@ -50,7 +50,7 @@ struct FitBodyResult {
   double seconds = 0;
 };
 
-std::vector<body::NamedPoint> pointsOf(const FitBodyArguments& arguments, double mm_per_unit) {
+std::vector<body::NamedPoint> collectPoints(const FitBodyArguments& arguments, double mm_per_unit) {
   std::vector<body::NamedPoint> points;
   if (!arguments.points.empty()) points = readNamedPoints(pathOf(arguments.points));
   for (const std::string& word : arguments.at) points.push_back(namedPointFrom("--at", word));
@@ -122,7 +122,7 @@ FitBodyResult fitScan(const FitBodyArguments& arguments) {
   ProgressLine progress;
   FitBodyResult result;
   result.scan = readScan(pathOf(arguments.scan.file), arguments.scan.options, progress.callback());
-  const std::vector<body::NamedPoint> points = pointsOf(arguments, result.scan.mm_per_unit);
+  const std::vector<body::NamedPoint> points = collectPoints(arguments, result.scan.mm_per_unit);
   report(progress.callback(), "building the template", 0.0);
   const body::TemplateBody trunk;
   try {
@@ -140,7 +140,7 @@ FitBodyResult fitScan(const FitBodyArguments& arguments) {
   return result;
 }
 
-Json jsonOf(const FitBodyArguments& arguments, const FitBodyResult& result, const std::vector<Vec3>& places) {
+Json toJson(const FitBodyArguments& arguments, const FitBodyResult& result, const std::vector<Vec3>& places) {
   Json json;
   json["scan"] = arguments.scan.file;
   json["sure_enough"] = result.fit.doubt.empty();
@@ -209,7 +209,7 @@ void runFitBody(const FitBodyArguments& arguments) {
   std::vector<Vec3> places;
   for (const body::SkinLandmark& landmark : result.body.landmarks) places.push_back(landmark.position);
   if (result.fit.doubt.empty()) writeScene(arguments, result);
-  fmt::print("{}", arguments.json ? jsonDump(jsonOf(arguments, result, places), 2) + "\n" : textOf(result, places));
+  fmt::print("{}", arguments.json ? jsonDump(toJson(arguments, result, places), 2) + "\n" : textOf(result, places));
   if (result.fit.doubt.empty()) return;
   say(fmt::format("{}: not sure enough, nothing was written: {}\n", arguments.scan.file, result.fit.doubt));
   throw ExitWith(1);

@@ -147,7 +147,7 @@ std::string thinWarning(const ValidationReport& report) {
 }
 
 /// `notes`: passed over or guessed while the file was read.
-std::vector<std::string> warningsOf(const ValidationReport& report, std::vector<std::string> notes = {}) {
+std::vector<std::string> collectWarnings(const ValidationReport& report, std::vector<std::string> notes = {}) {
   std::vector<std::string> warnings = std::move(notes);
   for (std::string warning : {sizeWarning(report), thinWarning(report)}) {
     if (!warning.empty()) warnings.push_back(std::move(warning));
@@ -160,7 +160,7 @@ const char* verdictOn(const ValidationReport& report) {
     return "fit to be felt as it is; if it is inside out, `palpate body repair --turn-over doubtful` turns it\n";
   }
   if (report.fit()) {
-    return warningsOf(report).empty() ? "fit to be felt as it is\n" : "fit to be felt, if that is its true size\n";
+    return collectWarnings(report).empty() ? "fit to be felt as it is\n" : "fit to be felt, if that is its true size\n";
   }
   return report.sound() ? "fit to be felt but for its small holes, which repair fills (done when it is used)\n"
                         : "needs repair before it can be felt (done when it is used)\n";
@@ -168,25 +168,25 @@ const char* verdictOn(const ValidationReport& report) {
 
 // --- as text, as JSON ---
 
-Json jsonOf(const mesh::Trait& trait) { return {{"count", trait.count}, {"first", trait.first}}; }
+Json toJson(const mesh::Trait& trait) { return {{"count", trait.count}, {"first", trait.first}}; }
 
-Json traitsOf(const ValidationReport& report) {
+Json traitsJson(const ValidationReport& report) {
   Json traits;
-  traits["non_finite_vertices"] = jsonOf(report.non_finite_vertices);
-  traits["out_of_range_triangles"] = jsonOf(report.wrong_indices);
-  traits["zero_area_triangles"] = jsonOf(report.zero_area_triangles);
-  traits["duplicate_triangles"] = jsonOf(report.duplicate_triangles);
-  traits["opposite_triangles"] = jsonOf(report.opposite_triangles);
-  traits["non_manifold_edges"] = jsonOf(report.non_manifold_edges);
-  traits["non_manifold_vertices"] = jsonOf(report.non_manifold_vertices);
-  traits["inconsistent_edges"] = jsonOf(report.inconsistent_edges);
-  traits["inside_out_parts"] = jsonOf(report.inside_out_parts);
-  traits["doubtful_parts"] = jsonOf(report.doubtful_parts);
-  traits["border_edges"] = jsonOf(report.border_edges);
-  traits["self_intersections"] = jsonOf(report.self_intersections);
-  traits["touching_edges"] = jsonOf(report.touching_edges);
-  traits["unused_vertices"] = jsonOf(report.unused_vertices);
-  traits["coincident_vertices"] = jsonOf(report.coincident_vertices);
+  traits["non_finite_vertices"] = toJson(report.non_finite_vertices);
+  traits["out_of_range_triangles"] = toJson(report.wrong_indices);
+  traits["zero_area_triangles"] = toJson(report.zero_area_triangles);
+  traits["duplicate_triangles"] = toJson(report.duplicate_triangles);
+  traits["opposite_triangles"] = toJson(report.opposite_triangles);
+  traits["non_manifold_edges"] = toJson(report.non_manifold_edges);
+  traits["non_manifold_vertices"] = toJson(report.non_manifold_vertices);
+  traits["inconsistent_edges"] = toJson(report.inconsistent_edges);
+  traits["inside_out_parts"] = toJson(report.inside_out_parts);
+  traits["doubtful_parts"] = toJson(report.doubtful_parts);
+  traits["border_edges"] = toJson(report.border_edges);
+  traits["self_intersections"] = toJson(report.self_intersections);
+  traits["touching_edges"] = toJson(report.touching_edges);
+  traits["unused_vertices"] = toJson(report.unused_vertices);
+  traits["coincident_vertices"] = toJson(report.coincident_vertices);
   return traits;
 }
 
@@ -196,11 +196,11 @@ std::string textOf(const ValidationReport& report, const std::vector<std::string
       report.vertices, boxLine(report), surfaceLine(report), 1e-6 * static_cast<double>(memoryBytes(report)));
   for (const std::string& sentence : mesh::describe(report)) text += "found       " + sentence + "\n";
   if (!report.self_intersections_checked) text += "not checked self-intersections\n";
-  for (const std::string& warning : warningsOf(report, notes)) text += "warning     " + warning + "\n";
+  for (const std::string& warning : collectWarnings(report, notes)) text += "warning     " + warning + "\n";
   return text + verdictOn(report);
 }
 
-Json jsonOf(const ValidationReport& report, const std::vector<std::string>& notes) {
+Json toJson(const ValidationReport& report, const std::vector<std::string>& notes) {
   Json json;
   json["triangles"] = report.triangles;
   json["vertices"] = report.vertices;
@@ -217,10 +217,10 @@ Json jsonOf(const ValidationReport& report, const std::vector<std::string>& note
   json["fillable_holes"] = report.fillable_holes;
   json["fit"] = report.fit();
   json["sound"] = report.sound();
-  json["warnings"] = warningsOf(report, notes);
+  json["warnings"] = collectWarnings(report, notes);
   json["self_intersections_checked"] = report.self_intersections_checked;
   json["memory_bytes"] = memoryBytes(report);
-  json["traits"] = traitsOf(report);
+  json["traits"] = traitsJson(report);
   return json;
 }
 
@@ -259,7 +259,7 @@ std::string textOf(const std::vector<FileNumber>& numbers) {
   return text;
 }
 
-Json jsonOf(const std::vector<FileNumber>& numbers) {
+Json toJson(const std::vector<FileNumber>& numbers) {
   Json list = Json::array();
   for (const FileNumber& number : numbers) {
     Json one = {{"name", number.name}, {"of", number.of}, {"min", nullptr}, {"max", nullptr}};
@@ -314,8 +314,8 @@ void runInfo(const InfoArguments& arguments) {
   const Inspection found = inspect(arguments);
   if (arguments.json) {
     Json json = {{"file", arguments.mesh.file}};
-    json.update(jsonOf(found.report, found.notes));
-    json["numbers"] = jsonOf(found.numbers);
+    json.update(toJson(found.report, found.notes));
+    json["numbers"] = toJson(found.numbers);
     if (found.shapes) json["shape"] = asJson(*found.shapes);
     fmt::print("{}\n", jsonDump(json, 2));
   } else {

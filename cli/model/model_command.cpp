@@ -56,7 +56,7 @@ struct Model {
   std::vector<float> bone;      ///< on the skin: the part number of the nearest bone; on a bone its own
 };
 
-mesh::VertexChannels channelsOf(const Model& model) {
+mesh::VertexChannels buildChannels(const Model& model) {
   mesh::VertexChannels channels;
   for (int axis = 0; axis < 3 && !model.normals.empty(); ++axis) {
     mesh::VertexScalar column{std::string("n") + "xyz" [axis], {}};
@@ -71,7 +71,7 @@ mesh::VertexChannels channelsOf(const Model& model) {
 
 void write(const std::string& file, const Model& model) {
   const bool carries_values = pathOf(file).extension() == ".ply";
-  mesh::save(pathOf(file), model.mesh, carries_values ? channelsOf(model) : mesh::VertexChannels{});
+  mesh::save(pathOf(file), model.mesh, carries_values ? buildChannels(model) : mesh::VertexChannels{});
 }
 
 /// For a torso or a trunk.
@@ -95,7 +95,7 @@ void appendBones(const std::vector<body::Bone>& bones, Model& model) {
   if (!model.depth_mm.empty()) model.depth_mm.resize(model.mesh.positions.size(), 0);
 }
 
-Json partsOf(const std::vector<body::Bone>& bones) {
+Json partsJson(const std::vector<body::Bone>& bones) {
   Json parts = Json::array();
   for (std::size_t i = 0; i < bones.size(); ++i) {
     parts.push_back({{"name", bones[i].name}, {"part", i + 1}, {"triangles", bones[i].mesh.triangles.size()}});
@@ -177,7 +177,7 @@ void writeWhole(const char* name, const ModelOptions& options, Model whole, cons
          {{"stature_mm", stature_mm},
           {"skin_triangles", of_skin},
           {"least_cover_mm", *std::min_element(body.depth_mm.begin(), body.depth_mm.end())},
-          {"parts", partsOf(body.bones)},
+          {"parts", partsJson(body.bones)},
           {"landmarks", landmarksOf(body.landmarks)}});
 }
 
@@ -207,7 +207,7 @@ void makeBonesModel(const ModelOptions& options) {
   Model model;
   appendBones(bones, model);
   finish("bones", options, model, secondsSince(start),
-         {{"stature_mm", options.shape.stature_mm}, {"parts", partsOf(bones)}});
+         {{"stature_mm", options.shape.stature_mm}, {"parts", partsJson(bones)}});
 }
 
 void makeHandModel(const ModelOptions& options) {
@@ -298,7 +298,7 @@ void addTrunk(Command& model) {
       body::TrunkSettings{}.triangles, between(static_cast<double>(body::kFewestTrunkTriangles), 2e7), makeTrunkModel);
   addSetting(*command, "--stature-mm", options->shape.stature_mm, between(500.0, 2500.0, "mm"),
              "Height of the person; everything scales with it");
-  takesOneOf(wordList<body::Posture>(),
+  restrictTo(wordList<body::Posture>(),
              command->add_option("--posture", options->posture, "How it lies or sits")->capture_default_str());
   addBuild(*command, options->build);
   addOutputs(*command, *options);
@@ -328,7 +328,7 @@ void addBones(Command& model) {
 void addHand(Command& model) {
   const auto [command, options] = addModel(model, "hand", "An open hand with the index finger stretched out",
                                            body::HandSettings{}.triangles, between(200, 4e6), makeHandModel);
-  takesOneOf(wordList<body::Side>(), command->add_option("--side", options->side, "Which hand")->capture_default_str());
+  restrictTo(wordList<body::Side>(), command->add_option("--side", options->side, "Which hand")->capture_default_str());
   addSetting(*command, "--length-mm", options->hand_length_mm, between(20.0, 1000.0, "mm"),
              "From the wrist's cut to the tip of the index finger");
 }

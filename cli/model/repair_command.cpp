@@ -55,7 +55,7 @@ std::string textOf(const std::filesystem::path& out, const trace::RecordingRepai
   return text;
 }
 
-Json jsonOf(const trace::RecordingRepair& repair, const std::vector<trace::MissingTicks>& missing) {
+Json toJson(const trace::RecordingRepair& repair, const std::vector<trace::MissingTicks>& missing) {
   Json list = Json::array();
   for (const trace::MissingTicks& one : missing) {
     list.push_back({{"finger", repair.fingers.at(one.finger)},
@@ -66,7 +66,7 @@ Json jsonOf(const trace::RecordingRepair& repair, const std::vector<trace::Missi
   return list;
 }
 
-Json jsonOf(const std::filesystem::path& out, const trace::RecordingRepair& repair) {
+Json toJson(const std::filesystem::path& out, const trace::RecordingRepair& repair) {
   return {{"file", out.string()},
           {"nothing_lost", repair.nothingLost()},
           {"samples", repair.samples},
@@ -76,11 +76,11 @@ Json jsonOf(const std::filesystem::path& out, const trace::RecordingRepair& repa
           {"attachments", repair.attachments},
           {"samples_lost", repair.samplesLost()},
           {"blocks_lost", repair.blocks_lost},
-          {"lost", jsonOf(repair, repair.lost)},
+          {"lost", toJson(repair, repair.lost)},
           {"bytes_missing", repair.bytes_missing},
           {"header_lost", repair.header_lost},
           {"other_lost", repair.other},
-          {"gaps", jsonOf(repair, repair.gaps)},
+          {"gaps", toJson(repair, repair.gaps)},
           {"notes", repair.notes}};
 }
 
@@ -94,7 +94,7 @@ void salvageRecording(const std::filesystem::path& file, const std::filesystem::
   ProgressLine progress;
   const trace::RecordingRepair repair = trace::repairRecording(file, out, progress.callback());
   progress.clear();
-  printReadable(json ? jsonText(jsonOf(out, repair)) : textOf(out, repair));
+  printReadable(json ? jsonText(toJson(out, repair)) : textOf(out, repair));
 }
 
 struct RepairArguments {
@@ -168,7 +168,7 @@ std::string textOf(const mesh::RepairResult& result) {
                             result.self_intersecting ? ", intersects itself" : "");
 }
 
-Json jsonOf(const mesh::SurfaceState& state) {
+Json toJson(const mesh::SurfaceState& state) {
   return {{"triangles", state.triangles},
           {"vertices", state.vertices},
           {"closure", mesh::wordsFor(state.closure)},
@@ -177,15 +177,15 @@ Json jsonOf(const mesh::SurfaceState& state) {
           {"non_manifold_edges", state.non_manifold_edges}};
 }
 
-Json jsonOf(const mesh::RepairResult& result) {
+Json toJson(const mesh::RepairResult& result) {
   Json json;
   json["triangles"] = result.mesh.triangles.size();
   json["vertices"] = result.mesh.positions.size();
   json["components"] = result.components;
   json["closed"] = result.closed;
   json["self_intersecting"] = result.self_intersecting;
-  json["before"] = jsonOf(result.before);
-  json["after"] = jsonOf(result.after);
+  json["before"] = toJson(result.before);
+  json["after"] = toJson(result.after);
   const TriangleCount triangles = trianglesOf(result);
   json["triangles_dropped"] = triangles.dropped;
   json["triangles_added"] = triangles.added;
@@ -202,7 +202,7 @@ void runRepair(const RepairArguments& arguments) {
   const mesh::RepairResult result = repairFile(arguments, channels);
   const bool has_room = pathOf(arguments.output).extension() == ".ply";  // other formats hold places only
   mesh::save(pathOf(arguments.output), result.mesh, has_room ? channels : mesh::VertexChannels());
-  fmt::print("{}", arguments.json ? jsonDump(jsonOf(result), 2) + "\n" : textOf(result));
+  fmt::print("{}", arguments.json ? jsonDump(toJson(result), 2) + "\n" : textOf(result));
 }
 
 /// Refuses options that only apply to a mesh.

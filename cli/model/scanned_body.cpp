@@ -27,18 +27,18 @@ struct GuessedUnit {
 };
 constexpr std::array<GuessedUnit, 3> kGuessedUnits = {{{"metres", 1000}, {"decimetres", 100}, {"centimetres", 10}}};
 
-double diagonalOf(const mesh::TriangleMesh& mesh) {
+double boxDiagonal(const mesh::TriangleMesh& mesh) {
   const Eigen::AlignedBox3d box = mesh::boundingBox(mesh);
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-bool isSomebodys(double diagonal_mm) { return diagonal_mm >= kSmallestScanMm && diagonal_mm <= kLargestScanMm; }
+bool isBodySized(double diagonal_mm) { return diagonal_mm >= kSmallestScanMm && diagonal_mm <= kLargestScanMm; }
 
 void guessUnit(ScannedBody& scan) {
-  const double diagonal = diagonalOf(scan.mesh);
-  if (isSomebodys(diagonal)) return;
+  const double diagonal = boxDiagonal(scan.mesh);
+  if (isBodySized(diagonal)) return;
   for (const GuessedUnit& unit : kGuessedUnits) {
-    if (!isSomebodys(diagonal * unit.mm)) continue;
+    if (!isBodySized(diagonal * unit.mm)) continue;
     for (Vec3& p : scan.mesh.positions) p *= unit.mm;
     scan.unit_mm = scan.mm_per_unit = unit.mm;
     scan.notes.push_back(fmt::format(

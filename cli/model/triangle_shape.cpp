@@ -14,7 +14,7 @@ namespace palpate::app {
 
 namespace {
 
-ShapeSpread spreadOf(std::vector<double> values) {
+ShapeSpread computeSpread(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {
@@ -42,7 +42,7 @@ struct Measures {
   }
 };
 
-std::vector<double> foldsOf(const mesh::TriangleMesh& mesh) {
+std::vector<double> computeFoldAngles(const mesh::TriangleMesh& mesh) {
   std::vector<double> folds;
   folds.reserve(3 * mesh.triangles.size() / 2);
   const auto area = [&](const mesh::EdgeUse& use) {
@@ -89,10 +89,10 @@ TriangleShapes triangleShapes(const mesh::TriangleMesh& mesh) {
   }
   shapes.area_deviation = std::sqrt(squares / count);
   shapes.mean_edge_mm = edge_sum / (3 * count);
-  shapes.fold_deg = spreadOf(foldsOf(mesh));
-  shapes.aspect = spreadOf(std::move(aspects));
-  shapes.angle_deg = spreadOf(std::move(angles));
-  shapes.area_of_mean = spreadOf(std::move(areas));
+  shapes.fold_deg = computeSpread(computeFoldAngles(mesh));
+  shapes.aspect = computeSpread(std::move(aspects));
+  shapes.angle_deg = computeSpread(std::move(angles));
+  shapes.area_of_mean = computeSpread(std::move(areas));
   return shapes;
 }
 

@@ -83,7 +83,7 @@ void runAnnotate(const AnnotateArguments& arguments) {
   }
   trace::refuseSame(arguments.out, arguments.file);
   ProgressLine progress;
-  const trace::ReadingWatch watch(endIfAsked);
+  const trace::ReadingWatch watch(throwIfInterrupted);
   trace::RecordingReader recording(arguments.file);
   const trace::RecordingFacts& facts = recording.facts();
   trace::RecordingHeader header = facts.header;

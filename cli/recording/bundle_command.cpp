@@ -110,7 +110,7 @@ void print(const BundleArguments& arguments, const engine::BundleReport& report)
 void runBundle(const BundleArguments& arguments) {
   trace::refuseSame(arguments.out, arguments.file);
   const FinishesInOrder in_order;  // carried files are in a folder that must be removed again
-  const trace::ReadingWatch watch(endIfAsked);
+  const trace::ReadingWatch watch(throwIfInterrupted);
   ProgressLine progress;
   trace::RecordingReader recording(arguments.file);
   engine::BundleSettings settings;

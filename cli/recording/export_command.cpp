@@ -42,12 +42,13 @@ struct ExportArguments {
 };
 
 /// Replays the recording for its pressure patterns; the user gets a note where the replay differs.
-std::optional<engine::RecordedPressure> pressureOf(trace::RecordingReader& recording, const ExportArguments& arguments,
-                                                   const Progress& progress, std::string& text) {
+std::optional<engine::RecordedPressure> replayPressure(trace::RecordingReader& recording,
+                                                       const ExportArguments& arguments, const Progress& progress,
+                                                       std::string& text) {
   if (!arguments.taxels) return std::nullopt;
   const engine::CarriedFiles carried(recording);
   engine::ReplaySettings settings;
-  settings.span = ticksOf(arguments.span, recording.facts().header.ticks_per_s);
+  settings.span = toTickSpan(arguments.span, recording.facts().header.ticks_per_s);
   settings.folder = arguments.folder.empty() ? carried.folder() : arguments.folder;
   const contact::PressurePad pad{*arguments.taxels, arguments.pad_mm.value_or(contact::PressurePad().size_mm)};
   auto pressure = engine::recordedPressure(recording, settings, pad, progress);
@@ -69,7 +70,7 @@ std::uint64_t writeCsv(trace::RecordingReader& recording, const ExportArguments&
   settings.ticks_per_s = facts.header.ticks_per_s;
   trace::ForcesCsvWriter table(arguments.csv, settings, OutputFile::Unfinished::remove, pressureColumns(pressure));
   std::uint64_t rows = 0;
-  recording.forEachTick(ticksOf(arguments.span, settings.ticks_per_s), [&](std::span<const trace::Sample> samples) {
+  recording.forEachTick(toTickSpan(arguments.span, settings.ticks_per_s), [&](std::span<const trace::Sample> samples) {
     for (const trace::Sample& sample : samples) table.add(sample);
     rows += samples.size();
     if (rows % 20000 < samples.size()) {
@@ -94,7 +95,7 @@ void writeJson(trace::RecordingReader& recording, const ExportArguments& argumen
   }
   Json events = Json::array();
   for (const trace::RecordingEvent& event :
-       recording.events(ticksOf(arguments.span, recording.facts().header.ticks_per_s))) {
+       recording.events(toTickSpan(arguments.span, recording.facts().header.ticks_per_s))) {
     events.push_back({{"tick", event.tick},
                       {"finger", event.finger ? Json(*event.finger) : Json(nullptr)},
                       {"kind", event.kind},
@@ -138,24 +139,24 @@ void runExport(const ExportArguments& arguments) {
   }
   if (arguments.pad_mm && !arguments.taxels) throw Error("export: --pad-mm is the size of a --pressure pad");
   const FinishesInOrder in_order;  // the recording's files are in a folder that must be removed again
-  const trace::ReadingWatch watch(endIfAsked);
+  const trace::ReadingWatch watch(throwIfInterrupted);
   ProgressLine progress;
   trace::RecordingReader recording(arguments.file);
   std::string text;
-  const auto felt = pressureOf(recording, arguments, progress.callback(), text);
+  const auto felt = replayPressure(recording, arguments, progress.callback(), text);
   const engine::RecordedPressure* const pressure = felt ? &*felt : nullptr;
   if (!arguments.csv.empty()) {
     text += fmt::format("{} rows -> {}\n", writeCsv(recording, arguments, pressure, progress.callback()),
                         arguments.csv.string());
   }
   if (!arguments.npz.empty()) {
-    const trace::TickSpan span = ticksOf(arguments.span, recording.facts().header.ticks_per_s);
+    const trace::TickSpan span = toTickSpan(arguments.span, recording.facts().header.ticks_per_s);
     text += fmt::format("{} rows -> {}\n", writeNpz(recording, span, arguments.npz, pressure, progress.callback()),
                         arguments.npz.string());
   }
   if (!arguments.ply.empty()) text += writePly(recording, arguments, progress.callback());
   if (!arguments.attachments.empty()) {
-    const trace::TickSpan span = ticksOf(arguments.span, recording.facts().header.ticks_per_s);
+    const trace::TickSpan span = toTickSpan(arguments.span, recording.facts().header.ticks_per_s);
     text += fmt::format("{} pictures, sound notes and the like -> {}\n",
                         writeAttachments(recording, span, arguments.attachments), arguments.attachments.string());
   }

@@ -25,7 +25,7 @@ struct JoinArguments {
 
 void runJoin(const JoinArguments& arguments) {
   ProgressLine progress;
-  const trace::ReadingWatch watch(endIfAsked);
+  const trace::ReadingWatch watch(throwIfInterrupted);
   const trace::Joined joined = trace::join(arguments.files, arguments.out, progress.callback());
   progress.clear();
   if (arguments.json) {

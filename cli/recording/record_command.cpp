@@ -101,7 +101,8 @@ engine::RecorderSettings recorderSettings(const RecordArguments& arguments, cons
   return settings;
 }
 
-std::string statusOf(const engine::RecorderState& state, const servo::TickSamples& felt, const scene::Scene& scene) {
+std::string formatStatus(const engine::RecorderState& state, const servo::TickSamples& felt,
+                         const scene::Scene& scene) {
   std::string text = fmt::format("{:.1f} s", state.seconds);
   for (std::size_t i = 0; i < felt.size(); ++i) {
     text += fmt::format(", {} {:.2f} N {:.1f} mm", scene.fingers[i].name, felt[i].contact.force.norm(),
@@ -122,7 +123,7 @@ std::size_t waitForTheEnd(engine::ServoThread& servo, engine::Recorder& recorder
   if (terminal) say("Enter sets a mark (with what was typed before it), Ctrl+C ends the recording\n");
   for (int look = 1;; ++look) {
     const engine::RecorderState state = recorder.state();
-    if (endAskedBy() != 0 || !state.failure.empty() || state.seconds >= seconds) break;
+    if (endingSignal() != 0 || !state.failure.empty() || state.seconds >= seconds) break;
     if (const auto line = lines.take()) {
       recorder.mark(line->empty() ? fmt::format("mark {}", marks + 1) : *line);
       ++marks;
@@ -130,7 +131,7 @@ std::size_t waitForTheEnd(engine::ServoThread& servo, engine::Recorder& recorder
     if (look % kLooksPerTending == 0) {
       for (const std::string& trouble : device::tendDevices(devices)) say("\n" + trouble + "\n");
     }
-    if (terminal && look % 10 == 0) say("\r\x1b[K" + statusOf(state, servo.contacts(), scene));
+    if (terminal && look % 10 == 0) say("\r\x1b[K" + formatStatus(state, servo.contacts(), scene));
     trace::Sample sample;
     while (servo.pop(sample)) {
     }
@@ -162,7 +163,7 @@ void runRecord(const RecordArguments& arguments) {
   const std::size_t marks = waitForTheEnd(
       servo, recorder, devices, arguments.input.seconds > 0.0 ? arguments.input.seconds : for_ever, world->scene);
   const servo::LoopReport loop = servo.stop();
-  recorder.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
+  recorder.finish(endingSignal() == 0 ? "done" : nameOfSignal(endingSignal()));
   const trace::RecordingReader recording(arguments.out);
   if (arguments.json) {
     Json json = {{"file", arguments.out.string()}};

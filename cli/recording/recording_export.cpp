@@ -70,7 +70,7 @@ constexpr std::uint64_t kLarge = 0xf0000000u;
 constexpr int kStored = 0;
 
 /// The head of a .npy file: its length with the ten bytes before it is a multiple of 64.
-std::string headOf(std::string_view type, const std::string& shape) {
+std::string makeNpyHeader(std::string_view type, const std::string& shape) {
   std::string words = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type, shape);
   words.append(63 - (10 + words.size()) % 64, ' ');
   words += '\n';
@@ -101,18 +101,18 @@ void NpzFile::fail() const {
 }
 
 void NpzFile::add(const std::string& name, std::string_view type, std::uint64_t count, std::string_view bytes) {
-  add(name, headOf(type, fmt::format("({},)", count)), bytes, bytes.size() > kLarge);
+  add(name, makeNpyHeader(type, fmt::format("({},)", count)), bytes, bytes.size() > kLarge);
 }
 
 void NpzFile::addSquares(const std::string& name, std::uint64_t count, std::size_t side,
                          std::span<const float> values) {
   static_assert(std::endian::native == std::endian::little);
   const std::string_view bytes(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-  add(name, headOf("<f4", fmt::format("({}, {}, {})", count, side, side)), bytes, bytes.size() > kLarge);
+  add(name, makeNpyHeader("<f4", fmt::format("({}, {}, {})", count, side, side)), bytes, bytes.size() > kLarge);
 }
 
 void NpzFile::add(const std::string& name, double number) {
-  add(name, headOf("<f8", "()"), std::string_view(reinterpret_cast<const char*>(&number), sizeof number), false);
+  add(name, makeNpyHeader("<f8", "()"), std::string_view(reinterpret_cast<const char*>(&number), sizeof number), false);
 }
 
 void NpzFile::add(const std::string& name, std::string_view header, std::string_view bytes, bool is_large) {
@@ -162,7 +162,7 @@ std::vector<std::string> plainNames(const trace::RecordingFacts& facts) {
   return names;
 }
 
-std::string_view numpyTypeOf(const trace::SampleColumn& column) {
+std::string_view numpyType(const trace::SampleColumn& column) {
   return column.type == "f64" ? "<f8" : column.type == "u64" ? "<u8" : "<u4";
 }
 
@@ -186,13 +186,13 @@ std::uint64_t addFinger(trace::RecordingReader& recording, const trace::TickSpan
     return true;
   });
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    file.add(name + "." + std::string(columns[i].name), numpyTypeOf(columns[i]), rows, bytes[i]);
+    file.add(name + "." + std::string(columns[i].name), numpyType(columns[i]), rows, bytes[i]);
     bytes[i] = std::string();
   }
   return rows;
 }
 
-std::string extensionOf(const trace::RecordingAttachment& attachment) {
+std::string attachmentExtension(const trace::RecordingAttachment& attachment) {
   static const std::map<std::string, std::string, std::less<>> extensions = {{"image/png", ".png"},
                                                                              {"image/jpeg", ".jpg"},
                                                                              {"audio/wav", ".wav"},
@@ -255,7 +255,7 @@ std::uint64_t writeAttachments(trace::RecordingReader& recording, const trace::T
     }
     const double time_s = static_cast<double>(attachment.tick) / recording.facts().header.ticks_per_s;
     writeFile(folder / fmt::format("{:04}_{}_{:.3f}s{}", ++count, plainName(attachment.kind), time_s,
-                                   extensionOf(attachment)),
+                                   attachmentExtension(attachment)),
               attachment.data);
   });
   return count;

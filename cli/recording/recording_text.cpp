@@ -16,7 +16,7 @@ namespace palpate::app {
 
 namespace {
 
-std::string endWords(const trace::RecordingFacts& facts) {
+std::string describeEnd(const trace::RecordingFacts& facts) {
   return facts.ended_by.empty() ? "no end: it is being written, or its program was killed"
                                 : "ended: " + readableLine(facts.ended_by);
 }
@@ -31,7 +31,7 @@ double bytesPerSample(const std::filesystem::path& file, const trace::RecordingF
 std::string limitsText(const trace::RecordingWorld& world, const trace::RecordingFacts& facts) {
   std::vector<std::pair<std::string, std::string>> lines;  // names of fingers, limits
   for (const auto& [finger, limits] : engine::limitsIn(world, facts.fingers)) {
-    const std::string words = engine::limitsInWords(limits);
+    const std::string words = engine::describeLimits(limits);
     if (!lines.empty() && lines.back().second == words) {
       lines.back().first += ", " + finger;
     } else {
@@ -68,7 +68,7 @@ void addTimeSpan(Command& command, TimeSpan& span) {
   addNumber(command, "--to", span.to_s, between(0.0, 1e9, "s"), "End at this time (default: at the end)");
 }
 
-trace::TickSpan ticksOf(const TimeSpan& span, double ticks_per_s) {
+trace::TickSpan toTickSpan(const TimeSpan& span, double ticks_per_s) {
   if (!(span.from_s <= span.to_s)) throw Error("--from must be below --to");
   trace::TickSpan ticks;
   ticks.from = static_cast<std::uint64_t>(std::llround(span.from_s * ticks_per_s));
@@ -89,7 +89,7 @@ std::string recordingLine(const trace::RecordingFacts& facts) {
   for (const trace::RecordingFinger& finger : facts.fingers)
     fingers += (fingers.empty() ? "" : ", ") + readableLine(finger.name);
   std::string text = fmt::format("{}  {:8.1f} s  {}; {}", readableLine(facts.header.started_utc), facts.seconds(),
-                                 fingers, endWords(facts));
+                                 fingers, describeEnd(facts));
   if (facts.dropped > 0) text += fmt::format("; {} samples were dropped", facts.dropped);
   if (!facts.header.notes.empty()) text += "; " + readableLine(facts.header.notes);
   return text;
@@ -122,7 +122,7 @@ std::string recordingInfo(const std::filesystem::path& file) {
   trace::RecordingReader reader(file);
   const trace::RecordingFacts& facts = reader.facts();
   std::string text =
-      fmt::format("recording     begun {}, {}\n", readableLine(facts.header.started_utc), endWords(facts));
+      fmt::format("recording     begun {}, {}\n", readableLine(facts.header.started_utc), describeEnd(facts));
   text += fmt::format("length      {:.3f} s, {} samples at {:.0f} a second, {:.0f} bytes each\n", facts.seconds(),
                       facts.samples, facts.header.ticks_per_s, bytesPerSample(file, facts));
   if (facts.dropped > 0) text += fmt::format("dropped     {} samples found no room\n", facts.dropped);

@@ -18,7 +18,7 @@ struct TimeSpan {
 };
 void addTimeSpan(Command& command, TimeSpan& span);
 /// Throws Error where it ends before it begins.
-trace::TickSpan ticksOf(const TimeSpan& span, double ticks_per_s);
+trace::TickSpan toTickSpan(const TimeSpan& span, double ticks_per_s);
 
 /// By its name, or by its first bytes: an SQLite file.
 bool isRecordingFile(const std::filesystem::path& file);

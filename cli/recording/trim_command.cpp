@@ -25,7 +25,7 @@ struct TrimArguments {
   bool json = false;
 };
 
-std::string namesOf(const trace::Trimmed& trimmed) {
+std::string joinNotAtRest(const trace::Trimmed& trimmed) {
   std::string names;
   for (const std::string& name : trimmed.not_at_rest) names += (names.empty() ? "" : ", ") + name;
   return names;
@@ -44,7 +44,7 @@ std::string textOf(const TrimArguments& arguments, const trace::Trimmed& trimmed
   }
   if (!trimmed.not_at_rest.empty()) {
     text += fmt::format("  note  not at rest where it begins: {}; a replay proves nothing of it until it is\n",
-                        namesOf(trimmed));
+                        joinNotAtRest(trimmed));
   }
   return text;
 }
@@ -52,10 +52,10 @@ std::string textOf(const TrimArguments& arguments, const trace::Trimmed& trimmed
 void runTrim(const TrimArguments& arguments) {
   trace::refuseSame(arguments.out, arguments.file);
   ProgressLine progress;
-  const trace::ReadingWatch watch(endIfAsked);
+  const trace::ReadingWatch watch(throwIfInterrupted);
   trace::RecordingReader recording(arguments.file);
   const double rate = recording.facts().header.ticks_per_s;
-  const trace::TrimSettings settings{ticksOf(arguments.span, rate), arguments.exact};
+  const trace::TrimSettings settings{toTickSpan(arguments.span, rate), arguments.exact};
   const trace::Trimmed trimmed = trace::trim(recording, settings, arguments.out, progress.callback());
   progress.clear();
   const Json json = {{"file", arguments.out.string()},          {"samples", trimmed.copied.samples},

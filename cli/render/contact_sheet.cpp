@@ -22,12 +22,12 @@ struct Tile {
   view::PictureSettings settings;
 };
 
-double secondsOf(const scene::World& world, const servo::TickSamples& frame) {
+double frameTime(const scene::World& world, const servo::TickSamples& frame) {
   return static_cast<double>(frame.front().tick) / world.scene.ticks_per_s;
 }
 
 /// The middle of the fingers that touch.
-std::optional<Vec3> middleOf(const servo::TickSamples& frame) {
+std::optional<Vec3> contactCentre(const servo::TickSamples& frame) {
   Vec3 sum = Vec3::Zero();
   int count = 0;
   for (const trace::Sample& sample : frame) {
@@ -45,16 +45,16 @@ view::PictureSettings settingsFor(const scene::World& world, const servo::TickSa
   view.show.clear();
   view.colours = scene::Colouring::plain;
   if (!frame.empty() && !view.look_at_mm) {
-    view.look_at_mm = middleOf(frame);
+    view.look_at_mm = contactCentre(frame);
     view.zoom *= kCloser;
   }
   view::PictureSettings settings = view::pictureSettings(world, view, static_cast<double>(kTile.width) / kTile.height);
-  settings.labels.title = frame.empty() ? title : fmt::format("{}, {:.2f} s", title, secondsOf(world, frame));
+  settings.labels.title = frame.empty() ? title : fmt::format("{}, {:.2f} s", title, frameTime(world, frame));
   settings.labels.finger_names = fingerNames(world);
   return settings;
 }
 
-std::vector<Tile> tilesOf(const scene::World& world, const SheetMoments& moments) {
+std::vector<Tile> makeTiles(const scene::World& world, const SheetMoments& moments) {
   static const servo::TickSamples nobody;
   std::vector<Tile> tiles;
   const auto add = [&](const servo::TickSamples& frame, const std::string& title,
@@ -87,15 +87,15 @@ void paste(const view::Image& tile, int column, int row, view::Image& sheet) {
 
 view::Image contactSheet(const std::shared_ptr<const scene::World>& world, const SheetMoments& moments,
                          const Progress& progress) {
-  const std::vector<Tile> tiles = tilesOf(*world, moments);
+  const std::vector<Tile> tiles = makeTiles(*world, moments);
   const int count = static_cast<int>(tiles.size());
   view::Image sheet(std::min(kColumns, count) * kTile.width, (count + kColumns - 1) / kColumns * kTile.height);
   PictureSeries series(world, kTile);
   for (int i = 0; i < count; ++i) {
     report(progress, "drawing", static_cast<double>(i) / count);
     const Tile& tile = tiles[static_cast<std::size_t>(i)];
-    const double time_s = tile.frame->empty() ? 0.0 : secondsOf(*world, *tile.frame);
-    paste(series.take(*tile.frame, time_s, tile.settings).image, i % kColumns, i / kColumns, sheet);
+    const double time_s = tile.frame->empty() ? 0.0 : frameTime(*world, *tile.frame);
+    paste(series.capture(*tile.frame, time_s, tile.settings).image, i % kColumns, i / kColumns, sheet);
   }
   return sheet;
 }

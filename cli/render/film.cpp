@@ -34,7 +34,7 @@ std::vector<std::string> argumentsFor(const std::filesystem::path& written, cons
 }
 
 /// The last line that is not empty.
-std::string lastLineOf(std::string_view words) {
+std::string lastNonEmptyLine(std::string_view words) {
   std::string last;
   for (const std::string_view line : split(words, '\n')) {
     if (!trimmed(line).empty()) last = trimmed(line);
@@ -78,7 +78,7 @@ FfmpegFilm::FfmpegFilm(const std::filesystem::path& ffmpeg, const std::filesyste
 }
 
 void FfmpegFilm::fail(const system::FedProgram::Ending& ending) {
-  const std::string words = lastLineOf(ffmpeg_.said());
+  const std::string words = lastNonEmptyLine(ffmpeg_.said());
   throw Error::inFile(film_.string(),
                       fmt::format("ffmpeg made no film of it ({}){}{}", ending.how, words.empty() ? "" : ": ", words));
 }
@@ -91,7 +91,7 @@ void FfmpegFilm::add(const view::Image& picture) {
 void FfmpegFilm::finish() {
   const system::FedProgram::Ending ending = ffmpeg_.finish();
   // ffmpeg 5.1 ends with 0 where the film's last bytes find no room on the disk, and only prints an error.
-  const bool unwritten = lastLineOf(ffmpeg_.said()).starts_with("Error ");
+  const bool unwritten = lastNonEmptyLine(ffmpeg_.said()).starts_with("Error ");
   if (!ending.well || unwritten) fail(ending);
   output_.commit();
 }

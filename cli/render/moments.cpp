@@ -50,13 +50,13 @@ std::vector<servo::TickSamples> framesAt(const scene::World& world, const device
     throw Error(fmt::format("there is no moment {} s: the run lasts from 0 to {:.3f} s", time_s, end_s));
   }
   std::vector<servo::TickSamples> frames;
-  const auto keep = [&](std::span<const trace::Sample> samples) {
+  const auto collect = [&](std::span<const trace::Sample> samples) {
     while (frames.size() < times_s.size() && samples.front().tick >= tickAt(world, times_s[frames.size()])) {
       frames.emplace_back(samples.begin(), samples.end());
     }
   };
   servo::Rig rig = servo::scriptedRig(world, paths);
-  servo::runHeadless(rig, tickAt(world, times_s.back()) + 1, keep, progress);
+  servo::runHeadless(rig, tickAt(world, times_s.back()) + 1, collect, progress);
   return frames;
 }
 

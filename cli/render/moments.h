@@ -42,7 +42,7 @@ class RecordedInput {
   std::vector<servo::TickSamples> framesAt(const std::vector<double>& times_s);
   /// The world that the frame was felt in, with the options' view; without fingers, the recording's first. Built again
   /// when it differs from that of the call before.
-  std::shared_ptr<const scene::World> worldOf(const servo::TickSamples& frame, const Progress& progress);
+  std::shared_ptr<const scene::World> worldForFrame(const servo::TickSamples& frame, const Progress& progress);
   /// Describes how the last one differs from the recorded one; empty: it does not.
   const std::string& note() const { return note_; }
 

@@ -17,7 +17,7 @@ namespace palpate::app {
 // The fingers of a scene as they are drawn: their colours, sizes and names.
 
 /// One per finger of the scene, in order: the first is the left hand's (blue), the second the right hand's (red).
-std::vector<view::FingerMark> marksOf(const scene::World& world, const servo::TickSamples& frame);
+std::vector<view::FingerMark> makeFingerMarks(const scene::World& world, const servo::TickSamples& frame);
 
 std::vector<std::string> fingerNames(const scene::World& world);
 
@@ -27,7 +27,7 @@ class PictureSeries {
   PictureSeries(std::shared_ptr<const scene::World> world, const view::PictureSize& size);
 
   /// The skin as these fingers deform it, and the fingers on it; none: the body at rest.
-  view::TakenPicture take(const servo::TickSamples& frame, double time_s, const view::PictureSettings& settings);
+  view::TakenPicture capture(const servo::TickSamples& frame, double time_s, const view::PictureSettings& settings);
 
  private:
   std::shared_ptr<const scene::World> world_;

@@ -35,13 +35,14 @@ std::vector<servo::TickSamples> RecordedInput::framesAt(const std::vector<double
   return recordedFrames(recording_, times_s);
 }
 
-std::shared_ptr<const scene::World> RecordedInput::worldOf(const servo::TickSamples& frame, const Progress& progress) {
+std::shared_ptr<const scene::World> RecordedInput::worldForFrame(const servo::TickSamples& frame,
+                                                                 const Progress& progress) {
   const auto first = static_cast<std::uint32_t>(recording_.facts().first_world);
   const std::uint32_t number = frame.empty() ? first : frame.front().world;
   if (world_ == nullptr || number != number_) {
     world_ = worldToSee(
         recording_, number, carried_.folder(),
-        [this](scene::Scene& scene) { scene.view = viewOf(options_, scene.view); }, progress);
+        [this](scene::Scene& scene) { scene.view = applyViewOptions(options_, scene.view); }, progress);
     number_ = number;
     note_ = engine::noteOfAnotherWorld(recording_.world(number), number, *world_);
   }

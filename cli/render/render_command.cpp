@@ -63,12 +63,13 @@ scene::Scene sceneFor(const RenderOptions& options) {
   input.needs_fingers = !isAtRest(options) && options.poses.empty();
   scene::Scene scene = sceneFor(input);
   if (!options.poses.empty()) useFingersAt(options.poses.size(), options.scene.radius_mm, scene);
-  scene.view = viewOf(options, scene.view);
+  scene.view = applyViewOptions(options, scene.view);
   return scene;
 }
 
 /// The moments to draw; a lone pose is drawn when its finger has arrived.
-std::vector<double> timesOf(const RenderOptions& options, const scene::World& world, const device::FingerPaths& paths) {
+std::vector<double> choosePictureTimes(const RenderOptions& options, const scene::World& world,
+                                       const device::FingerPaths& paths) {
   const double end_s = static_cast<double>(paths.ticks - 1) / world.scene.ticks_per_s;
   const double sequence_s = (options.frames - 1) / options.frames_per_s;
   const double first = options.at_s.value_or(options.poses.empty() ? 0.0 : std::max(0.0, end_s - sequence_s));
@@ -94,7 +95,7 @@ std::vector<servo::TickSamples> framesFor(const RenderOptions& options, const sc
   }
   const device::FingerPaths paths =
       options.poses.empty() ? device::pathsOf(world) : pathsToPoses(world, posesOn(options, world));
-  times = timesOf(options, world, paths);
+  times = choosePictureTimes(options, world, paths);
   return framesAt(world, paths, times, progress);
 }
 
@@ -124,7 +125,9 @@ Input inputOfRecording(const RenderOptions& options, const Progress& progress) {
     for (int i = 0; i < options.frames; ++i) input.times.push_back(first + i / options.frames_per_s);
     input.frames = recorded->framesAt(input.times);
   }
-  input.world_of = [recorded, progress](const servo::TickSamples& frame) { return recorded->worldOf(frame, progress); };
+  input.world_of = [recorded, progress](const servo::TickSamples& frame) {
+    return recorded->worldForFrame(frame, progress);
+  };
   return input;
 }
 
@@ -145,7 +148,7 @@ void noteTheOthers(const RenderOptions& options, RenderReport& result) {
   const auto count = static_cast<int>(result.pictures.size());
   if (count < options.frames) {
     result.notes.push_back(
-        fmt::format("ended by {} after {} of {} pictures", nameOfSignal(endAskedBy()), count, options.frames));
+        fmt::format("ended by {} after {} of {} pictures", nameOfSignal(endingSignal()), count, options.frames));
   }
   const std::filesystem::path next = fileOfSeries(options, count + 1);
   if (result.film.empty() && options.frames > 1 && std::filesystem::exists(next)) {
@@ -169,13 +172,13 @@ void requireMuscles(const RenderOptions& options, const scene::World& world) {
 RenderReport render(const RenderOptions& options, const Progress& progress) {
   RenderReport result;
   result.size = options.size;
-  const std::vector<std::filesystem::path> files = filesOf(options);
+  const std::vector<std::filesystem::path> files = pictureFiles(options);
   const auto started = Clock::now();
   const bool is_recorded = isRecordingFile(pathOf(options.scene.scene));
   std::optional<FinishesInOrder> in_order;
   if (is_recorded) in_order.emplace();  // the recording's files are in a folder that must be removed again
   const Input input =
-      is_recorded ? inputOfRecording(options, endingWhenAsked(progress)) : inputOfScene(options, progress);
+      is_recorded ? inputOfRecording(options, interruptible(progress)) : inputOfScene(options, progress);
   std::shared_ptr<const scene::World> world = input.world_of(input.frames.front());
   requireScalar(options, *world);
   requireMuscles(options, *world);
@@ -191,7 +194,7 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
     result.film = options.output.string();
   }
   if (!in_order) in_order.emplace();
-  for (std::size_t i = 0; i < files.size() && endAskedBy() == 0; ++i) {
+  for (std::size_t i = 0; i < files.size() && endingSignal() == 0; ++i) {
     report(progress, "drawing", static_cast<double>(i) / static_cast<double>(files.size()));
     const servo::TickSamples& frame = input.frames.at(i);
     if (input.world_of(frame) != world) {  // a recording may continue in another one
@@ -199,12 +202,12 @@ RenderReport render(const RenderOptions& options, const Progress& progress) {
       settings = settingsFor(options, *world, result.size);
       series = std::make_unique<PictureSeries>(world, result.size);
     }
-    const view::TakenPicture taken = series->take(frame, input.times[i], settings);
+    const view::TakenPicture taken = series->capture(frame, input.times[i], settings);
     film ? film->add(taken.image, input.times[i]) : view::writePng(files[i], taken.image);
     result.pictures.push_back({film ? result.film : files[i].string(), input.times[i], frame});
     if (i == 0) result.notes.insert(result.notes.end(), taken.notes.begin(), taken.notes.end());
   }
-  if (result.pictures.empty()) endIfAsked();
+  if (result.pictures.empty()) throwIfInterrupted();
   if (film) film->finish();
   result.draw_s = secondsSince(drawing);
   noteTheOthers(options, result);
@@ -221,20 +224,20 @@ Json fingersJson(const servo::TickSamples& frame) {
   return fingers;
 }
 
-Json jsonOf(const RenderReport& result) {
+Json toJson(const RenderReport& result) {
   Json pictures = Json::array();
   for (const DrawnPicture& picture : result.pictures) {
     pictures.push_back({{"file", picture.file}, {"time_s", picture.time_s}, {"fingers", fingersJson(picture.frame)}});
   }
   Json json = {
       {"width", result.size.width}, {"height", result.size.height}, {"supersampling", result.size.supersampling},
-      {"build_s", result.build_s},  {"draw_s", result.draw_s},      {"complete", endAskedBy() == 0},
+      {"build_s", result.build_s},  {"draw_s", result.draw_s},      {"complete", endingSignal() == 0},
       {"pictures", pictures},       {"notes", result.notes}};
   if (!result.film.empty()) json["film"] = result.film;
   return json;
 }
 
-std::string summaryOf(const RenderReport& result) {
+std::string formatSummary(const RenderReport& result) {
   const std::size_t count = result.pictures.size();
   std::string last = count == 1 ? "" : fmt::format(" to {}", result.pictures.back().file);
   if (!result.film.empty()) last = fmt::format(", {} pictures", count);
@@ -356,7 +359,7 @@ void addSize(Command& command, view::PictureSize& size) {
     size.width = static_cast<int>(countFrom(kSize, std::string(sides[0]), limits));
     size.height = static_cast<int>(countFrom(kSize, std::string(sides[1]), limits));
   };
-  command.add_option_function(kSize, read, "Of the picture" + rangeWords(between(1, kLargestSide, "pixels each")))
+  command.add_option_function(kSize, read, "Of the picture" + rangeText(between(1, kLargestSide, "pixels each")))
       ->type_name("WIDTHxHEIGHT")
       ->default_str(fmt::format("{}x{}", size.width, size.height));
 }
@@ -375,11 +378,11 @@ void addOutputOptions(Command& command, RenderOptions& options) {
 
 }  // namespace
 
-void drawAndTell(const RenderOptions& options, bool tells) {
+void drawPictures(const RenderOptions& options, bool prints_summary) {
   ProgressLine progress;
   const RenderReport result = render(options, progress.display());
   progress.clear();
-  if (tells) fmt::print("{}", options.json ? jsonDump(jsonOf(result), 2) + "\n" : summaryOf(result));
+  if (prints_summary) fmt::print("{}", options.json ? jsonDump(toJson(result), 2) + "\n" : formatSummary(result));
 }
 
 void addRenderCommand(Command& app) {
@@ -396,7 +399,7 @@ void addRenderCommand(Command& app) {
   addOutputOptions(*command, *options);
   command->callback([=] {
     options->scene.radius_given = command->count("--radius-mm") > 0;
-    drawAndTell(*options);
+    drawPictures(*options);
   });
 }
 

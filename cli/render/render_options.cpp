@@ -21,7 +21,7 @@ std::optional<scene::Colouring> colouringNamed(std::string_view name) {
   return valueNamed<scene::Overlay>(name) ? std::nullopt : valueNamed<scene::Colouring>(name);
 }
 
-std::vector<std::string> showWords() {
+std::vector<std::string> showNames() {
   std::vector<std::string> words = {"plain", "strain", "stiffness", "scalar", std::string(kEllipseMap)};
   for (const std::string& overlay : wordList<scene::Overlay>()) words.push_back(overlay);
   return words;
@@ -35,7 +35,7 @@ void useShow(const std::string& list, scene::ViewSettings& settings) {
     } else if (const auto overlay = valueNamed<scene::Overlay>(name)) {
       settings.show.push_back(*overlay);
     } else if (!name.empty()) {
-      throw Error("--show: " + unknownName("word", name, "", showWords()));
+      throw Error("--show: " + unknownName("word", name, "", showNames()));
     }
   }
 }
@@ -69,7 +69,7 @@ void useScalar(const RenderOptions& options, scene::ViewSettings& settings) {
 
 }  // namespace
 
-scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene) {
+scene::ViewSettings applyViewOptions(const RenderOptions& options, const scene::ViewSettings& of_scene) {
   scene::ViewSettings settings = of_scene;
   replace(settings.side, options.side);
   replace(settings.shading, options.shading);
@@ -101,7 +101,7 @@ film::FilmFormat filmFormat(const RenderOptions& options) {
   return {{options.size.width, options.size.height}, options.frames_per_s};
 }
 
-std::vector<std::filesystem::path> filesOf(const RenderOptions& options) {
+std::vector<std::filesystem::path> pictureFiles(const RenderOptions& options) {
   const bool film = isFilm(options.output);
   if (!film && options.output.extension() != ".png") {
     throw Error::inFile(options.output.string(),

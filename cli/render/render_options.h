@@ -43,17 +43,17 @@ struct RenderOptions {
 
 /// The scene's view with the options' replacements. Throws Error for an unknown name in --show, which accepts overlays
 /// and the words strain, stiffness, ellipse-map and plain for the colours of the skin.
-scene::ViewSettings viewOf(const RenderOptions& options, const scene::ViewSettings& of_scene);
+scene::ViewSettings applyViewOptions(const RenderOptions& options, const scene::ViewSettings& of_scene);
 
 film::FilmFormat filmFormat(const RenderOptions& options);
 
 /// The files of the pictures in order: FILE.png alone, else FILE_0001.png and so on. Throws Error for a name that is
 /// neither a picture's nor a film's, for a film of one picture, and for a film that cannot be made here.
-std::vector<std::filesystem::path> filesOf(const RenderOptions& options);
+std::vector<std::filesystem::path> pictureFiles(const RenderOptions& options);
 /// One of a series, counted from 1.
 std::filesystem::path fileOfSeries(const RenderOptions& options, int number);
 
-/// `palpate render`: draws, writes and, if it `tells`, prints a summary. Throws Error.
-void drawAndTell(const RenderOptions& options, bool tells = true);
+/// `palpate render`: draws, writes and, if it `prints_summary`, prints a summary. Throws Error.
+void drawPictures(const RenderOptions& options, bool prints_summary = true);
 
 }  // namespace palpate::app

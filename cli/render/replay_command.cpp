@@ -35,9 +35,9 @@ struct ReplayArguments {
   bool json = false;
 };
 
-trace::TickSpan spanOf(const ReplayArguments& arguments, const trace::RecordingFacts& facts) {
+trace::TickSpan resolveSpan(const ReplayArguments& arguments, const trace::RecordingFacts& facts) {
   const double rate = facts.header.ticks_per_s;
-  const trace::TickSpan span = ticksOf(arguments.span, rate);
+  const trace::TickSpan span = toTickSpan(arguments.span, rate);
   if (facts.samples == 0) throw Error::inFile(arguments.file.string(), "holds no tick");
   if (span.from > facts.last_tick) {
     throw Error::inFile(arguments.file.string(),
@@ -85,22 +85,22 @@ void draw(const ReplayArguments& arguments) {
   {
     const trace::RecordingReader recording(arguments.file);
     const trace::RecordingFacts& facts = recording.facts();
-    const trace::TickSpan span = spanOf(arguments, facts);
+    const trace::TickSpan span = resolveSpan(arguments, facts);
     const std::uint64_t first = std::max(span.from, facts.first_tick);
     const std::uint64_t last = std::min(span.to, facts.last_tick);
     const double rate = facts.header.ticks_per_s;
     options.at_s = static_cast<double>(first) / rate;
     options.frames = std::max(1, static_cast<int>(static_cast<double>(last - first) / rate * options.frames_per_s));
   }
-  drawAndTell(options, !arguments.json);
+  drawPictures(options, !arguments.json);
 }
 
 void runReplay(const ReplayArguments& arguments) {
   ProgressLine progress;
   trace::RecordingReader recording(arguments.file);
-  const trace::TickSpan span = spanOf(arguments, recording.facts());
+  const trace::TickSpan span = resolveSpan(arguments, recording.facts());
   const FinishesInOrder in_order;  // the recording's files are in a folder that must be removed again
-  const trace::ReadingWatch watch(endIfAsked);
+  const trace::ReadingWatch watch(throwIfInterrupted);
   const engine::CarriedFiles carried(recording);
   const std::filesystem::path folder = arguments.folder.empty() ? carried.folder() : arguments.folder;
   std::optional<trace::ForcesCsvWriter> table = tableFor(arguments, recording.facts());

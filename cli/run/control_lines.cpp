@@ -7,7 +7,7 @@
 
 namespace palpate::app {
 
-void ControlLines::tell(double scale) {
+void ControlLines::print(double scale) {
   const viewer::WidgetPlaces& now = viewer::widgetPlaces();
   if (now == before_) return;
   std::string lines;

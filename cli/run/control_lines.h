@@ -17,7 +17,7 @@ namespace palpate::app {
 class ControlLines {
  public:
   /// Once a picture. `scale`: pixels of a point.
-  void tell(double scale);
+  void print(double scale);
 
  private:
   viewer::WidgetPlaces before_;

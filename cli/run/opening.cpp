@@ -12,7 +12,7 @@ namespace palpate::app {
 namespace {
 
 /// Only the last of successive moves counts: however long a body takes, only clicks and keys become many.
-void keep(std::span<const window::InputEvent> events, std::vector<window::InputEvent>& kept) {
+void appendEvents(std::span<const window::InputEvent> events, std::vector<window::InputEvent>& kept) {
   for (const window::InputEvent& event : events) {
     const auto is_move = [](const window::InputEvent& e) { return e.kind == window::InputEvent::Kind::move; };
     if (is_move(event) && !kept.empty() && is_move(kept.back())) kept.pop_back();
@@ -40,13 +40,13 @@ Opening showOpening(window::Window& window, engine::WorldBuilder& building, view
     const std::vector<window::InputEvent> events = window.events(kFrameS);
     const auto& requests = view.output().requests;
     const bool leaves = !requests.empty() && std::holds_alternative<viewer::GiveWay>(requests.back());
-    if (window.closing() || endAskedBy() != 0 || leaves) return {.world = nullptr, .requests = requests};
+    if (window.closing() || endingSignal() != 0 || leaves) return {.world = nullptr, .requests = requests};
     if (!offers.page && secondsSince(started) < kTimeForMoreS) {
-      keep(events, for_the_body);
+      appendEvents(events, for_the_body);
       continue;
     }
     const viewer::OpeningView::Frame frame{window.width(), window.height(), window.contentScale(), kFrameS};
-    keep(view.frame(frame, events, building.progress()), for_the_body);
+    appendEvents(view.frame(frame, events, building.progress()), for_the_body);
     window.present(view.target());
     shown();
   }

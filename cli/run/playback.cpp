@@ -41,7 +41,7 @@ void showFrames(window::Window& window, viewer::Viewer& viewer, Playback& playba
       window.stayOpen();
       viewer.state().request(viewer::Quit{});
     }
-    if (close || viewer.wantsToQuit() || endAskedBy() != 0) return;
+    if (close || viewer.wantsToQuit() || endingSignal() != 0) return;
     viewer.state().state.stereo.monitor_row = window.top();
     viewer.frame(window.width(), window.height(), window.contentScale(), now_s, events);
     viewer.drawsItself() ? window.swap() : window.present(viewer.target());
@@ -51,7 +51,7 @@ void showFrames(window::Window& window, viewer::Viewer& viewer, Playback& playba
   }
 }
 
-viewer::ViewerHost hostOf(window::Window& window) {
+viewer::ViewerHost makeViewerHost(window::Window& window) {
   return {[&window] { window.setFullScreen(!window.fullScreen()); },
           [&window](const std::string& text) { window.setClipboard(text); },
           [&window] { return window.clipboard(); },

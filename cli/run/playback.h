@@ -33,7 +33,7 @@ void showFrames(window::Window& window, viewer::Viewer& viewer, Playback& playba
                 const std::function<void(std::uint64_t frame, double now_s)>& shown);
 
 /// Services of this window for a viewer; the window must outlive it.
-viewer::ViewerHost hostOf(window::Window& window);
+viewer::ViewerHost makeViewerHost(window::Window& window);
 
 /// Opens the named devices for the first fingers, with their spaces placed by the scene or by default. Throws Error.
 std::vector<viewer::OpenedDevice> openedFor(const scene::World& world, const std::vector<std::string>& names);

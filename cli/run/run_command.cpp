@@ -92,16 +92,16 @@ window::WindowSettings windowFor(const RunOptions& options, const viewer::StateR
 }
 
 /// Prints one line per frame, for tests and bug reports.
-void tell(const std::string& text) {
+void print(const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), stdout);  // a reader that has left must not end the window
   std::fflush(stdout);
 }
 
-void tellFrame(std::uint64_t number, double now_s, viewer::Viewer& viewer) {
+void logFrame(std::uint64_t number, double now_s, viewer::Viewer& viewer) {
   const viewer::ViewerState& s = viewer.state();
   const contact::FingerOutput& finger = s.fingers[s.active_finger];
   const viewer::Message* message = s.messages.all().empty() ? nullptr : &s.messages.all().back();
-  tell(fmt::format(
+  print(fmt::format(
       "frame {} t={:.3f} size={}x{} finger={} pressed={} depth={:.2f} force={:.2f} drag={:.2f} set_depth={:.2f} "
       "distance={:.0f} yaw={:.3f} body={} building={} panel={} overlays={} row={} recording={} changed={} question={} "
       "message={}\n",
@@ -113,8 +113,8 @@ void tellFrame(std::uint64_t number, double now_s, viewer::Viewer& viewer) {
       message == nullptr ? "-" : message->text));
 }
 
-void tellServo(const servo::LoopReport& report) {
-  tell(fmt::format(
+void logServo(const servo::LoopReport& report) {
+  print(fmt::format(
       "servo: {} ticks in {:.1f} s, {} overruns, {} slow, {} stalls; tick p50 {:.1f} p99 {:.1f} us; late p50 "
       "{:.1f} p99 {:.1f} p99.9 {:.1f} max {:.0f} us\n",
       report.ticks, report.wall_s, report.overruns, report.slow_ticks, report.stalls, report.compute.p50_us,
@@ -148,7 +148,7 @@ viewer::OpenedScene sceneToRun(const RunOptions& options) {
   return opened;
 }
 
-void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::Window& window) {
+void saveState(const RunOptions& options, viewer::Viewer& viewer, const window::Window& window) {
   if (!options.no_state) viewer::writeState(viewer::stateFile(), {viewer.state().state, window.placement()});
 }
 
@@ -156,8 +156,8 @@ void keepState(const RunOptions& options, viewer::Viewer& viewer, const window::
 void finishViewer(const RunOptions& options, viewer::Viewer& viewer) {
   viewer::Messages& messages = viewer.state().messages;
   messages.markRead();
-  const servo::LoopReport report = viewer.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
-  if (options.verbose) tellServo(report);
+  const servo::LoopReport report = viewer.finish(endingSignal() == 0 ? "done" : nameOfSignal(endingSignal()));
+  if (options.verbose) logServo(report);
   if (messages.unread() == 0) return;
   for (auto message = messages.all().rbegin(); message != messages.all().rend(); ++message) {
     if (message->severity == viewer::Severity::error) throw Error(message->text);
@@ -165,10 +165,10 @@ void finishViewer(const RunOptions& options, viewer::Viewer& viewer) {
 }
 
 /// A signal leaves no time for a question.
-void keepChanges(const viewer::Viewer& viewer) {
-  if (endAskedBy() == 0) return;
+void saveBackup(const viewer::Viewer& viewer) {
+  if (endingSignal() == 0) return;
   try {
-    const std::filesystem::path kept = viewer.keepChanges();
+    const std::filesystem::path kept = viewer.saveBackup();
     if (!kept.empty()) say(fmt::format("palpate: the changed scene is kept as {}\n", kept.string()));
   } catch (const Error& error) {
     say(fmt::format("palpate: the changed scene is lost: {}\n", error.what()));
@@ -230,7 +230,7 @@ bool wantsStartPage(const RunOptions& options, const viewer::ViewState& state) {
 }
 
 /// Becomes the program for the activity: the training's, or a new window with the parts built since.
-void giveWay(viewer::Activity activity, const RunOptions& options) {
+void becomeActivity(viewer::Activity activity, const RunOptions& options) {
   using viewer::Activity;
   const bool trains = activity == Activity::training;
   std::vector<std::string> words = {trains ? "train" : "run"};
@@ -273,7 +273,7 @@ viewer::ViewState viewState(const RunOptions& options, const viewer::StateReadin
 }
 
 /// The viewer continues where the start page was when the body was ready.
-void takeOver(const Opening& opening, viewer::ViewerState& viewer) {
+void adoptOpening(const Opening& opening, viewer::ViewerState& viewer) {
   viewer.state.shown.start = opening.page;
   viewer.awaited = opening.awaited;
   for (const viewer::Request& request : opening.requests) viewer.request(request);
@@ -299,7 +299,7 @@ void runWindow(const RunOptions& options) {
   settings.document = std::move(opened.document);
   viewer::ViewState view_state = viewState(options, state);
   std::optional<viewer::Activity> wanted;
-  viewer::ViewerHost host = hostOf(window);
+  viewer::ViewerHost host = makeViewerHost(window);
   host.teach_program = familyProgram("teach");
   OtherPrograms others({.measuring = !settings.modes.empty(), .classes = !host.teach_program.empty()});
   host.activities = [&others] { return others.now(); };
@@ -308,21 +308,22 @@ void runWindow(const RunOptions& options) {
   ControlLines controls;
   bool page_told = false;
   const auto tell_page = [&] {
-    if (!std::exchange(page_told, true)) tell(fmt::format("start page after {:.3f} s\n", secondsSince(started)));
+    if (!std::exchange(page_told, true)) print(fmt::format("start page after {:.3f} s\n", secondsSince(started)));
   };
   const Opening opening = showOpening(window, building, view_state, offers, [&] {
     if (!options.verbose) return;
     tell_page();
-    controls.tell(window.contentScale() * view_state.text_size);
+    controls.print(window.contentScale() * view_state.text_size);
   });
   if (!opening.world) {
-    if (endAskedBy() != 0 || opening.requests.empty()) return;
-    if (const auto* way = std::get_if<viewer::GiveWay>(&opening.requests.back())) giveWay(way->activity, options);
+    if (endingSignal() != 0 || opening.requests.empty()) return;
+    if (const auto* way = std::get_if<viewer::GiveWay>(&opening.requests.back()))
+      becomeActivity(way->activity, options);
     return;
   }
   if (!options.devices.empty()) settings.devices = openedFor(*opening.world, options.devices);
   viewer::Viewer viewer(opening.world, std::move(view_state), std::move(settings), std::move(host));
-  takeOver(opening, viewer.state());
+  adoptOpening(opening, viewer.state());
   if (options.no_intro) viewer.state().hint = viewer::kNoHint;
   beginWith(options.begin, viewer.state());
   if (!state.note.empty()) viewer.state().report(viewer::Severity::warning, state.note);
@@ -333,14 +334,14 @@ void runWindow(const RunOptions& options) {
     followHead(heads, viewer, now_s);
     if (!options.verbose) return;
     if (opening.page) tell_page();  // if the body was ready before the window
-    if (frame == 1) tell(fmt::format("first frame after {:.3f} s\n", secondsSince(started)));
-    tellFrame(frame, now_s, viewer);
-    controls.tell(window.contentScale() * viewer.state().state.text_size);
+    if (frame == 1) print(fmt::format("first frame after {:.3f} s\n", secondsSince(started)));
+    logFrame(frame, now_s, viewer);
+    controls.print(window.contentScale() * viewer.state().state.text_size);
   });
-  keepChanges(viewer);
-  keepState(options, viewer, window);
+  saveBackup(viewer);
+  saveState(options, viewer, window);
   finishViewer(options, viewer);
-  if (wanted) giveWay(*wanted, options);
+  if (wanted) becomeActivity(*wanted, options);
 }
 
 }  // namespace
@@ -355,7 +356,7 @@ void addRunCommand(Command& app) {
   const auto options = std::make_shared<RunOptions>();
   command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in trunk");
   addPresetOption(*command, options->preset);
-  takesOneOf({"measuring", "class"}, command->add_option("--begin", options->begin, "What to open first"));
+  restrictTo({"measuring", "class"}, command->add_option("--begin", options->begin, "What to open first"));
   command->footer(
       "Examples:\n"
       "  palpate run --preset vhb                 The dissertation's Virtual Haptic Back\n"
@@ -371,7 +372,7 @@ void addRunCommand(Command& app) {
                       "by tick");
   command->add_option("--beside", options->beside, "Play this recording beside that of --replay");
   for (const OfferedMode& add : offeredModes()) options->modes.push_back(add(*command));
-  takesOneOf(wordList<view::StereoMode>(),
+  restrictTo(wordList<view::StereoMode>(),
              command->add_option("--stereo", options->stereo,
                                  "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter "
                                  "glasses"));

@@ -41,7 +41,7 @@ bool isAddressLetter(char c) { return isDigit(c) || (c >= 'a' && c <= 'f') || c 
 constexpr std::size_t kMaxHost = 255;
 constexpr std::size_t kMaxPortDigits = 5;
 
-std::string tokenOf(const Json& json, const char* name) {
+std::string readToken(const Json& json, const char* name) {
   return json.contains(name) && json[name].is_string() ? json[name].get<std::string>() : std::string();
 }
 
@@ -57,7 +57,7 @@ bool isOfDeadServer(std::string_view name) {
 
 }  // namespace
 
-std::string_view wordOf(Role role) {
+std::string_view roleName(Role role) {
   constexpr std::array<std::string_view, 4> kWords = {"none", "look", "control", "instruct"};
   return kWords[static_cast<std::size_t>(role)];
 }
@@ -89,7 +89,7 @@ Tokens completed(Tokens given) {
   return given;
 }
 
-Role roleOf(const Tokens& tokens, std::string_view offered) noexcept {
+Role findRole(const Tokens& tokens, std::string_view offered) noexcept {
   if (offered.size() > kMaxToken) return Role::none;
   const bool looks = equalInConstantTime(tokens.look, offered);
   const bool controls = equalInConstantTime(tokens.control, offered);
@@ -119,7 +119,7 @@ Tokens readTokens(const std::filesystem::path& file) {
   const auto json = Json::tryParse(readFile(file, kMaxTokenFile));
   if (!json.is_object()) throw Error::inFile(file.string(), R"(is not {"look": ..., "control": ..., "instruct": ...})");
   try {
-    return completed({tokenOf(json, "look"), tokenOf(json, "control"), tokenOf(json, "instruct")});
+    return completed({readToken(json, "look"), readToken(json, "control"), readToken(json, "instruct")});
   } catch (const Error& error) {
     throw Error::inFile(file.string(), error.what());
   }
@@ -144,7 +144,7 @@ bool isLoopback(std::string_view address) {
   return std::all_of(address.begin(), address.end(), [](char c) { return c == '.' || (c >= '0' && c <= '9'); });
 }
 
-std::string originOf(std::string_view url) {
+std::string parseOrigin(std::string_view url) {
   const std::string lower = inSmallLetters(url);
   const std::size_t scheme = lower.find("://");
   if (scheme == std::string::npos) return {};
@@ -162,13 +162,13 @@ std::string originOf(std::string_view url) {
 
 bool originAllowed(std::string_view origin, const std::vector<std::string>& named, const LocalPlace& local) {
   if (origin.empty()) return true;
-  const std::string from = originOf(origin);
+  const std::string from = parseOrigin(origin);
   if (from.empty() || from.size() < origin.size() - 4) return false;  // text after it: not an origin of a page
   if (std::find(named.begin(), named.end(), from) != named.end()) return true;
   const bool is_v6 = local.address.find(':') != std::string_view::npos;
   const std::string own = is_v6 ? fmt::format("[{}]", local.address) : std::string(local.address);
-  if (from == originOf(fmt::format("{}://{}:{}", local.scheme, own, local.port))) return true;
-  return isLoopback(local.address) && from == originOf(fmt::format("{}://localhost:{}", local.scheme, local.port));
+  if (from == parseOrigin(fmt::format("{}://{}:{}", local.scheme, own, local.port))) return true;
+  return isLoopback(local.address) && from == parseOrigin(fmt::format("{}://localhost:{}", local.scheme, local.port));
 }
 
 }  // namespace palpate::app::serving

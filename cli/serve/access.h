@@ -19,7 +19,7 @@ enum class Role : std::uint8_t {
   instruct,  ///< takes it from anyone, halts it, writes to all
 };
 
-std::string_view wordOf(Role role);
+std::string_view roleName(Role role);
 
 /// All three are set and differ.
 struct Tokens {
@@ -37,7 +37,7 @@ std::string makeToken();
 Tokens completed(Tokens given);
 
 /// The role of a token. The time it takes does not reveal how much of it was right.
-Role roleOf(const Tokens& tokens, std::string_view offered) noexcept;
+Role findRole(const Tokens& tokens, std::string_view offered) noexcept;
 
 /// {"look": ..., "control": ..., "instruct": ...}, readable by the owner only. Throws Error for an existing file.
 void writeTokens(const std::filesystem::path& file, const Tokens& tokens);
@@ -55,7 +55,7 @@ bool isHost(std::string_view host);
 
 /// "https://place.example:8443" in small letters, without what follows; the scheme's own port left out. Empty for
 /// anything but an origin of a page.
-std::string originOf(std::string_view url);
+std::string parseOrigin(std::string_view url);
 
 /// The server's end of a connection.
 struct LocalPlace {

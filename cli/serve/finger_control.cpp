@@ -29,28 +29,28 @@ bool FingerControl::hasFreeFinger() const {
                      [](const ControlledFinger& finger) { return finger.device.empty(); });
 }
 
-std::string FingerControl::hear(WatcherId who, Role role, const Request& request, double now_s) {
+std::string FingerControl::handleRequest(WatcherId who, Role role, const Request& request, double now_s) {
   if (who == holder_) holder_heard_s_ = now_s;
   if (const auto* to = std::get_if<Point>(&request)) return point(who, role, *to, now_s);
-  if (std::holds_alternative<Take>(request)) return take(who, role, now_s);
+  if (std::holds_alternative<Take>(request)) return acquireControl(who, role, now_s);
   if (const auto* halt = std::get_if<Pause>(&request)) return pause(role, halt->on, now_s);
   if (std::holds_alternative<Say>(request)) return role == Role::instruct ? "" : "only who instructs writes to all";
   if (std::holds_alternative<Listen>(request)) return {};
   if (who != holder_) return "somebody else has the finger";
   if (const auto* lift = std::get_if<Lift>(&request)) {
     if (lift->finger >= hands_.size()) return "no such finger";
-    letGo(lift->finger, now_s);
+    release(lift->finger, now_s);
   } else {
     left(who, now_s);
   }
   return {};
 }
 
-std::string FingerControl::take(WatcherId who, Role role, double now_s) {
+std::string FingerControl::acquireControl(WatcherId who, Role role, double now_s) {
   if (role < Role::control) return "this token is for looking on";
   if (who == holder_) return {};
   if (holder_ != 0 && role != Role::instruct) return "somebody else has the finger";
-  letGoAll(now_s);
+  releaseAll(now_s);
   holder_ = who;
   holder_heard_s_ = now_s;
   return {};
@@ -61,9 +61,9 @@ std::string FingerControl::point(WatcherId who, Role role, const Point& request,
   if (request.finger >= hands_.size()) return "no such finger";
   if (!fingers_[request.finger].device.empty()) return "a device holds this finger";
   if (paused_) return "paused by who instructs";
-  if (holder_ == 0) take(who, role, now_s);
+  if (holder_ == 0) acquireControl(who, role, now_s);
   if (who != holder_) return "somebody else has the finger";
-  const Vec3 margin = Vec3::Constant(limits_.beside_mm);
+  const Vec3 margin = Vec3::Constant(limits_.margin_mm);
   if (!Box3(body_.min() - margin, body_.max() + margin).contains(request.place)) return "the place is not on the body";
   Hand& hand = hands_[request.finger];
   device::FingerTarget& target = hand.target;
@@ -76,7 +76,7 @@ std::string FingerControl::point(WatcherId who, Role role, const Point& request,
   target.force_n = std::min(request.force_n.value_or(0.0), limits_.force_n);
   target.max_depth_mm = limits_.depth_mm;
   hand.heard_s = now_s;
-  hand.let_go_s = -1.0;
+  hand.released_s = -1.0;
   point_(request.finger, target);
   return {};
 }
@@ -91,46 +91,46 @@ Vec3 FingerControl::reachable(const Hand& hand, const Vec3& place, double now_s)
   return length <= most_mm ? place : Vec3(hand.target.place + way * (most_mm / length));
 }
 
-void FingerControl::letGo(std::size_t finger, double now_s) {
+void FingerControl::release(std::size_t finger, double now_s) {
   Hand& hand = hands_[finger];
-  if (!hand.target.present || hand.let_go_s >= 0.0) return;
+  if (!hand.target.present || hand.released_s >= 0.0) return;
   hand.target.pressed = false;
-  hand.let_go_s = now_s;
+  hand.released_s = now_s;
   point_(finger, hand.target);
 }
 
-void FingerControl::letGoAll(double now_s) {
-  for (std::size_t i = 0; i < hands_.size(); ++i) letGo(i, now_s);
+void FingerControl::releaseAll(double now_s) {
+  for (std::size_t i = 0; i < hands_.size(); ++i) release(i, now_s);
 }
 
 std::string FingerControl::pause(Role role, bool on, double now_s) {
   if (role != Role::instruct) return "only who instructs pauses";
   if (std::exchange(paused_, on) == on) return {};
-  if (on) letGoAll(now_s);
+  if (on) releaseAll(now_s);
   if (halt_) halt_(on);
   return {};
 }
 
 void FingerControl::left(WatcherId who, double now_s) {
   if (who != holder_) return;
-  letGoAll(now_s);
+  releaseAll(now_s);
   holder_ = 0;
 }
 
 void FingerControl::tick(double now_s) {
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     Hand& hand = hands_[i];
-    if (hand.target.pressed && now_s - hand.heard_s > limits_.silence_s) letGo(i, now_s);
-    if (hand.let_go_s < 0.0 || now_s - hand.let_go_s < limits_.leaving_s) continue;
+    if (hand.target.pressed && now_s - hand.heard_s > limits_.silence_s) release(i, now_s);
+    if (hand.released_s < 0.0 || now_s - hand.released_s < limits_.leaving_s) continue;
     hand.target.present = false;
-    hand.let_go_s = -1.0;
+    hand.released_s = -1.0;
     point_(i, hand.target);
   }
   if (holder_ != 0 && now_s - holder_heard_s_ > limits_.idle_s) left(holder_, now_s);
 }
 
 void FingerControl::close(double now_s) {
-  letGoAll(now_s);
+  releaseAll(now_s);
   holder_ = 0;
   paused_ = true;
 }

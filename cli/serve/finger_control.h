@@ -65,13 +65,13 @@ inline constexpr double kStrongestN = 60.0;
 inline constexpr double kFarthestPlaceMm = 1e5;
 
 /// Empty for an invalid message: then `why` has the reason. Never throws.
-std::optional<Request> requestOf(std::string_view message, std::string& why);
+std::optional<Request> parseRequest(std::string_view message, std::string& why);
 
 struct ControlLimits {
   double depth_mm = 25.0;
   double force_n = 15.0;
   double speed_mm_per_s = 400.0;  ///< limit for the place while it presses: faster moves are followed at this
-  double beside_mm = 30.0;        ///< places farther out of the body's box are refused
+  double margin_mm = 30.0;        ///< places farther out of the body's box are refused
   double silence_s = 0.5;         ///< a pressing finger without messages is released
   double idle_s = 60.0;           ///< and its holder loses it
   double leaving_s = 0.5;         ///< for a released finger to rise, before it disappears
@@ -98,7 +98,7 @@ class FingerControl {
 
   /// Handles a request; returns why it was refused, or empty. Messages (Say) are only checked: sending them on is the
   /// caller's, and so are subscriptions (Listen).
-  std::string hear(WatcherId who, Role role, const Request& request, double now_s);
+  std::string handleRequest(WatcherId who, Role role, const Request& request, double now_s);
   /// Call when the stream has ended, for any reason.
   void left(WatcherId who, double now_s);
   /// Releases silent fingers; call it some times a second.
@@ -116,12 +116,12 @@ class FingerControl {
   struct Hand {
     device::FingerTarget target;
     double heard_s = 0.0;
-    double let_go_s = -1.0;  ///< time of release; below 0: it is held, or nowhere
+    double released_s = -1.0;  ///< time of release; below 0: it is held, or nowhere
   };
-  std::string take(WatcherId who, Role role, double now_s);
+  std::string acquireControl(WatcherId who, Role role, double now_s);
   std::string point(WatcherId who, Role role, const Point& request, double now_s);
-  void letGo(std::size_t finger, double now_s);
-  void letGoAll(double now_s);
+  void release(std::size_t finger, double now_s);
+  void releaseAll(double now_s);
   std::string pause(Role role, bool on, double now_s);
   Vec3 reachable(const Hand& hand, const Vec3& place, double now_s) const;
 

@@ -29,12 +29,12 @@ struct HallCounts {
       refused_token{0}, refused_origin{0}, refused_full{0}, malformed{0}, dropped{0}, hung_up{0}, listening{0};
 };
 
-struct Hall {
-  Hall(NetworkSettings of, Exhibits shown, FingerControl at)
+struct Connections {
+  Connections(NetworkSettings of, ServedContent shown, FingerControl at)
       : settings(std::move(of)), exhibits(std::move(shown)), control(std::move(at)) {}
 
   const NetworkSettings settings;
-  const Exhibits exhibits;
+  const ServedContent exhibits;
   FingerControl control;
   int port = 0;
   HallCounts counts;
@@ -51,10 +51,10 @@ struct Hall {
   double now() const { return secondsSince(began); }
   std::string state() const;
   /// Sends it to all watchers.
-  void tellState();
-  void tellMessage(const std::string& words);
+  void publishState();
+  void publishMessage(const std::string& words);
   /// Sends it to subscribers.
-  void tellTouch(TouchTexts texts);
+  void publishTouch(TouchTexts texts);
   void show(const Frame& frame);
   void join(const std::shared_ptr<Watcher>& watcher, WatcherId id);
   void leave(WatcherId id);
@@ -64,15 +64,15 @@ struct Hall {
 
 /// Answers the requests on this socket, one after the other, and makes a watcher of one for the stream. Keeps itself
 /// alive.
-void beginVisit(Socket socket, Hall& hall);
+void beginVisit(Socket socket, Connections& hall);
 
 /// Completes the handshake and streams until it ends. Keeps itself alive; the hall knows it from the handshake on.
-void beginLooking(Wire wire, Hall& hall, Role role, const HttpRequest& request);
+void beginLooking(Wire wire, Connections& hall, Role role, const HttpRequest& request);
 
-/// For Hall: messages to all watchers, and their end.
-void tell(Watcher& watcher, const std::string& state);
-void tellWords(Watcher& watcher, const std::string& message);
-void tellTouch(Watcher& watcher, TouchTexts& texts);
+/// For Connections: messages to all watchers, and their end.
+void sendState(Watcher& watcher, const std::string& state);
+void queueMessage(Watcher& watcher, const std::string& message);
+void publishTouch(Watcher& watcher, TouchTexts& texts);
 void show(Watcher& watcher, const Frame& frame);
 /// Closes watchers that receive nothing; call it some times a second.
 void look(Watcher& watcher);

@@ -28,14 +28,14 @@ constexpr std::string_view kBearer = "Bearer ";
 constexpr std::string_view kServed = "/served/";
 constexpr std::string_view kStream = "/served/contacts";
 
-std::string_view viewOf(beast::string_view text) { return {text.data(), text.size()}; }
+std::string_view toStringView(beast::string_view text) { return {text.data(), text.size()}; }
 
 std::chrono::milliseconds milliseconds(double seconds) {
   return std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * seconds));
 }
 
 /// The address, for IPv6 the network of one client; empty on this computer, where a proxy has the connections of all.
-std::string clientOf(const Socket& socket) {
+std::string clientAddress(const Socket& socket) {
   Status status;
   asio::ip::address address = socket.remote_endpoint(status).address();
   if (address.is_v6() && address.to_v6().is_v4_mapped()) {
@@ -52,12 +52,12 @@ std::string clientOf(const Socket& socket) {
 std::string_view tokenIn(beast::string_view authorization) {
   const beast::string_view scheme = authorization.substr(0, kBearer.size());
   if (!beast::iequals(scheme, {kBearer.data(), kBearer.size()})) return {};
-  return trimmed(viewOf(authorization.substr(scheme.size())));
+  return trimmed(toStringView(authorization.substr(scheme.size())));
 }
 
 /// Without the query.
 std::string_view pathOfRequest(const HttpRequest& request) {
-  const std::string_view target = viewOf(request.target());
+  const std::string_view target = toStringView(request.target());
   return target.substr(0, target.find('?'));
 }
 
@@ -66,7 +66,7 @@ std::string_view pathOfRequest(const HttpRequest& request) {
 bool namesOneHost(const HttpRequest& request) {
   const std::size_t hosts = request.count(http::field::host);
   if (hosts == 0) return request.version() < 11;
-  return hosts == 1 && isHost(viewOf(request[http::field::host]));
+  return hosts == 1 && isHost(toStringView(request[http::field::host]));
 }
 
 /// The first line and the others together: the parser's own limit counts them apart.
@@ -88,7 +88,7 @@ struct Delivery {
 
 class Visit : public std::enable_shared_from_this<Visit> {
  public:
-  Visit(Socket socket, Hall& hall)
+  Visit(Socket socket, Connections& hall)
       : wire_(std::move(socket), hall.settings.tls.get()), hall_(hall), id_(++hall_.last_visit) {}
   ~Visit() { leave(); }
   Visit(const Visit&) = delete;
@@ -100,7 +100,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     constexpr int kUnsentOfAnAnswer = kPieceBytes;
     system::limitUnsent(numberOf(line().socket()), kUnsentOfAnAnswer);
     hall_.hang_up[id_] = [this] { line().close(); };
-    hall_.makeRoom(hall_.book.enter(id_, clientOf(line().socket()), hall_.now()));
+    hall_.makeRoom(hall_.book.enter(id_, clientAddress(line().socket()), hall_.now()));
     if (!wire_.isTls()) return read();
     line().expires_after(milliseconds(hall_.settings.handshake_s));
     wire_.async_handshake([self = shared_from_this()](Status status) {
@@ -122,10 +122,10 @@ class Visit : public std::enable_shared_from_this<Visit> {
     parser_->body_limit(0);
     line().expires_after(milliseconds(hall_.settings.handshake_s));
     http::async_read(wire_, buffer_, *parser_,
-                     [self = shared_from_this()](Status status, std::size_t) { self->take(status); });
+                     [self = shared_from_this()](Status status, std::size_t) { self->onRequest(status); });
   }
 
-  void take(Status status) {
+  void onRequest(Status status) {
     if (status == http::error::end_of_stream || status == beast::error::timeout || hall_.closing) return hangUp();
     if (status && status.category() != http::make_error_code(http::error::bad_method).category()) return hangUp();
     request_ = parser_->release();
@@ -155,7 +155,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     if (path.starts_with(kServed)) return handOut(path);
     const SiteFile* file = hall_.exhibits.site.find(path);
     if (file == nullptr) return refuse(http::status::not_found);
-    if (viewOf(request_[http::field::if_none_match]) == file->tag) return unchanged(*file);
+    if (toStringView(request_[http::field::if_none_match]) == file->tag) return unchanged(*file);
     send(file->content, file->type, file);
   }
 
@@ -163,7 +163,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     Status ignored;
     const std::string local = line().socket().local_endpoint(ignored).address().to_string();
     if (request_.count(http::field::origin) > 1) return true;
-    return !originAllowed(viewOf(request_[http::field::origin]), hall_.settings.origins,
+    return !originAllowed(toStringView(request_[http::field::origin]), hall_.settings.origins,
                           {wire_.isTls() ? "https" : "http", local, hall_.port});
   }
 
@@ -174,7 +174,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
       refuse(http::status::forbidden);
       return Role::none;
     }
-    const Role role = roleOf(hall_.settings.tokens, token);
+    const Role role = findRole(hall_.settings.tokens, token);
     if (role == Role::none) {
       ++hall_.counts.refused_token;
       refuse(http::status::unauthorized);
@@ -197,7 +197,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   void open() {
     bool speaks = false;
     std::string_view token;
-    for (const std::string_view protocol : split(viewOf(request_[http::field::sec_websocket_protocol]), ',')) {
+    for (const std::string_view protocol : split(toStringView(request_[http::field::sec_websocket_protocol]), ',')) {
       if (protocol == kProtocol) speaks = true;
       if (protocol.starts_with(kTokenProtocol)) token = protocol.substr(kTokenProtocol.size());
     }
@@ -287,7 +287,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
   }
 
   Wire wire_;
-  Hall& hall_;
+  Connections& hall_;
   const VisitId id_;
   beast::flat_buffer buffer_{2 * kMaxHeaderBytes};
   std::optional<http::request_parser<http::empty_body>> parser_;
@@ -297,6 +297,6 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
 }  // namespace
 
-void beginVisit(Socket socket, Hall& hall) { std::make_shared<Visit>(std::move(socket), hall)->begin(); }
+void beginVisit(Socket socket, Connections& hall) { std::make_shared<Visit>(std::move(socket), hall)->begin(); }
 
 }  // namespace palpate::app::serving

@@ -68,7 +68,7 @@ class Members {
 
 constexpr std::size_t kMaxFingers = 64;
 
-Request pointOf(Members& members) {
+Request parsePoint(Members& members) {
   Point point;
   members.only({"type", "finger", "pressed", "place", "normal", "depth_mm", "force_n"});
   point.finger = members.count("finger", kMaxFingers);
@@ -83,7 +83,7 @@ Request pointOf(Members& members) {
   return point;
 }
 
-Request sayOf(const Json& json, Members& members) {
+Request parseSay(const Json& json, Members& members) {
   members.only({"type", "text"});
   const auto text = json.find("text");
   if (text == json.end() || !text->is_string()) return members.fail("text must be text"), Say{};
@@ -95,7 +95,7 @@ Request sayOf(const Json& json, Members& members) {
   return say;
 }
 
-Request listenOf(Members& members) {
+Request parseListen(Members& members) {
   Listen listen;
   members.only({"type", "on", "pad", "pad_mm"});
   listen.on = members.truth("on");
@@ -107,7 +107,7 @@ Request listenOf(Members& members) {
 
 }  // namespace
 
-std::optional<Request> requestOf(std::string_view message, std::string& why) {
+std::optional<Request> parseRequest(std::string_view message, std::string& why) {
   why.clear();
   if (message.size() > kMaxRequestBytes) return why = "too long", std::nullopt;
   const Json json = Json::tryParse(message);
@@ -118,7 +118,7 @@ std::optional<Request> requestOf(std::string_view message, std::string& why) {
   Members members(json, why);
   Request request;
   if (word == "finger") {
-    request = pointOf(members);
+    request = parsePoint(members);
   } else if (word == "lift") {
     members.only({"type", "finger"});
     request = Lift{members.count("finger", kMaxFingers)};
@@ -129,9 +129,9 @@ std::optional<Request> requestOf(std::string_view message, std::string& why) {
     members.only({"type", "on"});
     request = Pause{members.truth("on")};
   } else if (word == "touch") {
-    request = listenOf(members);
+    request = parseListen(members);
   } else if (word == "message") {
-    request = sayOf(json, members);
+    request = parseSay(json, members);
   } else {
     why = "an unknown type";
   }

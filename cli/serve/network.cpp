@@ -54,7 +54,7 @@ constexpr double kGoodbyeS = 1.0;
 /// Frames that wait for the thread; more would only be older.
 constexpr int kMaxPosted = 3;
 
-asio::ip::address addressOf(const std::string& host) {
+asio::ip::address parseAddress(const std::string& host) {
   boost::system::error_code error;
   const auto address = asio::ip::make_address(host == "localhost" ? "127.0.0.1" : host, error);
   if (error) throw Error(fmt::format("--host {}: is not an address of this computer, such as 127.0.0.1", host));
@@ -64,7 +64,7 @@ asio::ip::address addressOf(const std::string& host) {
 }  // namespace
 
 struct Network::Impl {
-  Impl(const NetworkSettings& settings, Exhibits exhibits, FingerControl control)
+  Impl(const NetworkSettings& settings, ServedContent exhibits, FingerControl control)
       : hall(settings, std::move(exhibits), std::move(control)), acceptor(events), rounds(events), retry(events) {}
 
   void listen();
@@ -73,7 +73,7 @@ struct Network::Impl {
   void run();
   void end();
 
-  Hall hall;  // first: what happens at the end of the events still counts
+  Connections hall;  // first: what happens at the end of the events still counts
   asio::io_context events{1};
   asio::ip::tcp::acceptor acceptor;
   asio::steady_timer rounds;
@@ -84,7 +84,7 @@ struct Network::Impl {
 };
 
 void Network::Impl::listen() {
-  const asio::ip::tcp::endpoint at(addressOf(hall.settings.host), static_cast<std::uint16_t>(hall.settings.port));
+  const asio::ip::tcp::endpoint at(parseAddress(hall.settings.host), static_cast<std::uint16_t>(hall.settings.port));
   boost::system::error_code error;
   acceptor.open(at.protocol(), error);
   if (!error) system::claimPort(numberOf(acceptor));
@@ -115,7 +115,7 @@ void Network::Impl::goRound(int round) {
   hall.control.tick(hall.now());
   for (auto at = hall.watchers.begin(); at != hall.watchers.end();) look(*(at++)->second);
   if (hall.closing && (hall.watchers.empty() || hall.now() - goodbye_s > kGoodbyeS)) return events.stop();
-  if (round % kRoundsPerState == 0) hall.tellState();
+  if (round % kRoundsPerState == 0) hall.publishState();
   rounds.expires_after(kRound);
   rounds.async_wait([this, round](boost::system::error_code stopped) {
     if (!stopped) goRound(round + 1);
@@ -142,7 +142,7 @@ void Network::Impl::end() {
   for (auto at = hall.watchers.begin(); at != hall.watchers.end();) sendAway(*(at++)->second);
 }
 
-Network::Network(const NetworkSettings& settings, Exhibits exhibits, FingerControl control)
+Network::Network(const NetworkSettings& settings, ServedContent exhibits, FingerControl control)
     : impl_(std::make_unique<Impl>(settings, std::move(exhibits), std::move(control))) {
   impl_->listen();
   impl_->accept();
@@ -177,15 +177,15 @@ void Network::show(std::shared_ptr<const std::string> frame) {
   });
 }
 
-bool Network::isListenedTo() const { return impl_->hall.counts.listening.load() > 0; }
+bool Network::hasSubscribers() const { return impl_->hall.counts.listening.load() > 0; }
 
-void Network::tellTouch(std::vector<trace::Sample> felt) {
+void Network::publishTouch(std::vector<trace::Sample> felt) {
   Impl* parts = impl_.get();
   if (parts->posted.load() >= kMaxPosted) return;
   ++parts->posted;
   asio::post(parts->events, [parts, felt = std::move(felt)]() mutable {
     --parts->posted;
-    parts->hall.tellTouch(TouchTexts(parts->hall.exhibits.pressure, std::move(felt)));
+    parts->hall.publishTouch(TouchTexts(parts->hall.exhibits.pressure, std::move(felt)));
   });
 }
 
@@ -203,46 +203,46 @@ NetworkCounts Network::counts() const {
 
 // --- the hall
 
-std::string Hall::state() const {
+std::string Connections::state() const {
   Json json = {
       {"type", "state"}, {"holder", control.holder()}, {"paused", control.paused()}, {"onlookers", watchers.size()}};
   if (!vitals.is_null()) json["servo"] = vitals;
   return jsonDump(json);
 }
 
-void Hall::tellState() {
+void Connections::publishState() {
   const std::string text = state();
-  for (const auto& [id, watcher] : watchers) tell(*watcher, text);
+  for (const auto& [id, watcher] : watchers) sendState(*watcher, text);
 }
 
-void Hall::tellMessage(const std::string& words) {
+void Connections::publishMessage(const std::string& words) {
   const std::string text = jsonDump(Json{{"type", "message"}, {"text", words}});
-  for (const auto& [id, watcher] : watchers) tellWords(*watcher, text);
+  for (const auto& [id, watcher] : watchers) queueMessage(*watcher, text);
 }
 
-void Hall::tellTouch(TouchTexts texts) {
-  for (const auto& [id, watcher] : watchers) serving::tellTouch(*watcher, texts);
+void Connections::publishTouch(TouchTexts texts) {
+  for (const auto& [id, watcher] : watchers) serving::publishTouch(*watcher, texts);
 }
 
-void Hall::show(const Frame& frame) {
+void Connections::show(const Frame& frame) {
   newest = frame;
   for (const auto& [id, watcher] : watchers) serving::show(*watcher, frame);
 }
 
-void Hall::join(const std::shared_ptr<Watcher>& watcher, WatcherId id) {
+void Connections::join(const std::shared_ptr<Watcher>& watcher, WatcherId id) {
   watchers.emplace(id, watcher);
   counts.watchers = watchers.size();
   counts.most_watchers = std::max<std::uint64_t>(counts.most_watchers, watchers.size());
 }
 
-void Hall::leave(WatcherId id) {
+void Connections::leave(WatcherId id) {
   if (watchers.erase(id) == 0) return;
   counts.watchers = watchers.size();
   control.left(id, now());
-  if (!closing) tellState();
+  if (!closing) publishState();
 }
 
-void Hall::makeRoom(VisitId id) {
+void Connections::makeRoom(VisitId id) {
   const auto visit = hang_up.find(id);
   if (visit == hang_up.end()) return;
   ++counts.hung_up;

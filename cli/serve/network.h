@@ -39,7 +39,7 @@ struct NetworkSettings {
 };
 
 /// Served content, made once.
-struct Exhibits {
+struct ServedContent {
   Site site;
   std::string skin;                                                ///< engine::encodedSkin
   std::string forms;                                               ///< engine::encodedForms
@@ -65,7 +65,7 @@ struct NetworkCounts {
 class Network {
  public:
   /// Listens when it returns. Throws Error: no such address, a port that is taken.
-  Network(const NetworkSettings& settings, Exhibits exhibits, FingerControl control);
+  Network(const NetworkSettings& settings, ServedContent exhibits, FingerControl control);
   /// Releases the fingers, sends an end to all watchers and waits a second at most.
   ~Network();
   Network(const Network&) = delete;
@@ -80,9 +80,9 @@ class Network {
   /// `frame` is the newest; it is sent unchanged.
   void show(std::shared_ptr<const std::string> frame);
   /// Whether any watcher subscribed to the fingers' outputs.
-  bool isListenedTo() const;
+  bool hasSubscribers() const;
   /// Sends the fingers' newest outputs to those.
-  void tellTouch(std::vector<trace::Sample> felt);
+  void publishTouch(std::vector<trace::Sample> felt);
   /// The servo's health: a JSON object for the state message.
   void publishStats(Json vitals);
   NetworkCounts counts() const;

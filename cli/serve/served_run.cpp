@@ -104,7 +104,7 @@ std::vector<ControlledFinger> fingersOf(const scene::World& world, const ServeOp
   return fingers;
 }
 
-Json factsOf(const scene::World& world, const std::vector<ControlledFinger>& fingers, const std::string& skin) {
+Json worldFactsJson(const scene::World& world, const std::vector<ControlledFinger>& fingers, const std::string& skin) {
   Hash hash;
   for (const char byte : skin) hash.add(std::uint64_t{static_cast<unsigned char>(byte)});
   Json hands = Json::array();
@@ -135,7 +135,7 @@ Json factsOf(const scene::World& world, const std::vector<ControlledFinger>& fin
 }
 
 /// Null where the tissue has no patterns: a request for a pad is then refused.
-std::shared_ptr<const engine::FeltPressure> pressureOf(const std::shared_ptr<const scene::World>& world) {
+std::shared_ptr<const engine::FeltPressure> makePressure(const std::shared_ptr<const scene::World>& world) {
   try {
     return std::make_shared<const engine::FeltPressure>(world);
   } catch (const Error&) {
@@ -143,7 +143,7 @@ std::shared_ptr<const engine::FeltPressure> pressureOf(const std::shared_ptr<con
   }
 }
 
-Box3 boxOf(const scene::World& world) {
+Box3 computeBodyBox(const scene::World& world) {
   Box3 box;
   for (const Vec3& place : world.body->skin.positions) box.extend(place);
   return box;
@@ -154,7 +154,7 @@ Box3 boxOf(const scene::World& world) {
 viewer::LiveServo servoFor(const std::shared_ptr<const scene::World>& world, const ServeOptions& options) {
   std::vector<viewer::OpenedDevice> devices = openedFor(*world, options.devices);
   std::vector<device::Capabilities> able;
-  for (const viewer::OpenedDevice& device : devices) able.push_back(viewer::abilityOf(device));
+  for (const viewer::OpenedDevice& device : devices) able.push_back(viewer::scaledCapabilities(device));
   return viewer::LiveServo(viewer::planFor(world, world->scene, true, able), std::move(devices));
 }
 
@@ -167,7 +167,7 @@ std::vector<device::Device> devicesOf(const viewer::LiveServo& servo) {
 }
 
 /// Presses the emergency stop for instructors, and releases only its own press.
-FingerControl::HaltDevices haltOf(viewer::LiveServo& servo) {
+FingerControl::HaltDevices makeHaltCallback(viewer::LiveServo& servo) {
   if (!servo.anyHeld()) return {};
   return [stop = &servo.thread().emergencyStop(), pressed = false](bool halted) mutable {
     if (halted && !stop->pressed()) {
@@ -237,14 +237,14 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
   const Clock::time_point began = Clock::now();
   constexpr std::int64_t kStepNs = 1'000'000'000 / kFramesPerS;
   std::int64_t due = monotonicNs();
-  for (int round = 1; endAskedBy() == 0; ++round) {
+  for (int round = 1; endingSignal() == 0; ++round) {
     const double now_s = secondsSince(began);
     if (options.input.seconds > 0.0 && now_s >= options.input.seconds) return;
     if (recorder != nullptr && !recorder->state().failure.empty()) return;  // `finish` says why
     servo.thread().exchange();
     const std::span<const trace::Sample> felt = servo.thread().contacts();
     if (auto frame = frames.next(felt, now_s)) network.show(std::move(frame));
-    if (round % kRoundsPerTouch == 0 && network.isListenedTo()) network.tellTouch({felt.begin(), felt.end()});
+    if (round % kRoundsPerTouch == 0 && network.hasSubscribers()) network.publishTouch({felt.begin(), felt.end()});
     trace::Sample sample;
     while (servo.thread().pop(sample)) {  // they are not plotted here
     }
@@ -284,7 +284,7 @@ void printAddress(const ServeOptions& options, const Network& network, const Tok
 
 Json reportJson(const NetworkCounts& counts, const servo::LoopReport& loop) {
   return {{"event", "ended"},
-          {"ended_by", endAskedBy() == 0 ? "done" : std::string(nameOfSignal(endAskedBy()))},
+          {"ended_by", endingSignal() == 0 ? "done" : std::string(nameOfSignal(endingSignal()))},
           {"most_onlookers", counts.most_watchers},
           {"frames_sent", counts.frames_sent},
           {"frames_skipped", counts.frames_skipped},
@@ -318,10 +318,10 @@ void printReport(const ServeOptions& options, const NetworkCounts& counts, const
       counts.hung_up);
 }
 
-std::vector<std::string> originsOf(const ServeOptions& options) {
+std::vector<std::string> parseOrigins(const ServeOptions& options) {
   std::vector<std::string> origins;
   for (const std::string& words : options.origins) {
-    origins.push_back(originOf(words));
+    origins.push_back(parseOrigin(words));
     if (origins.back().empty())
       throw Error(fmt::format("--origin {}: expected an origin such as https://place.example", words));
   }
@@ -335,10 +335,10 @@ void serve(const ServeOptions& options) {
   settings.host = options.host;
   settings.port = options.port;
   settings.tokens = tokensFor(options);
-  settings.origins = originsOf(options);
+  settings.origins = parseOrigins(options);
   if (!options.tls_cert.empty()) settings.tls = tlsFrom(options.tls_cert, options.tls_key);
   settings.watchers = options.watchers;
-  Exhibits exhibits;
+  ServedContent exhibits;
   exhibits.site = siteFor(options);
   ProgressLine progress;
   const auto world = scene::build(sceneFor(options.input), progress.callback());
@@ -346,16 +346,17 @@ void serve(const ServeOptions& options) {
   const FinishesInOrder in_order;
   exhibits.skin = engine::encodedSkinOf(*world);
   exhibits.forms = engine::encodedFormsOf(*world, viewer::kFingers);
-  exhibits.facts = factsOf(*world, fingersOf(*world, options), exhibits.skin);
-  exhibits.pressure = pressureOf(world);
+  exhibits.facts = worldFactsJson(*world, fingersOf(*world, options), exhibits.skin);
+  exhibits.pressure = makePressure(world);
   const std::string title = exhibits.facts["title"].text();
 
   viewer::LiveServo servo = servoFor(world, options);
   const StoppedBySignal stopped(servo.thread().emergencyStop());
   const auto recorder = recorderFor(options, *world, servo);
   FingerControl control(
-      fingersOf(*world, options), boxOf(*world),
-      [&servo](std::size_t finger, const device::FingerTarget& target) { servo.point(finger, target); }, haltOf(servo));
+      fingersOf(*world, options), computeBodyBox(*world),
+      [&servo](std::size_t finger, const device::FingerTarget& target) { servo.point(finger, target); },
+      makeHaltCallback(servo));
   std::optional<Network> network(std::in_place, settings, std::move(exhibits), std::move(control));
   const auto token_file = tokenFileFor(options, settings.tokens);
   printAddress(options, *network, settings.tokens, token_file->path, title);
@@ -363,7 +364,7 @@ void serve(const ServeOptions& options) {
   const NetworkCounts counts = network->counts();
   network.reset();
   const servo::LoopReport loop = servo.thread().stop();
-  if (recorder) recorder->finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
+  if (recorder) recorder->finish(endingSignal() == 0 ? "done" : nameOfSignal(endingSignal()));
   printReport(options, counts, loop);
 }
 

@@ -97,7 +97,7 @@ bool isHidden(const fs::path& relative) {
 
 }  // namespace
 
-std::string_view typeOf(const fs::path& file) {
+std::string_view mediaType(const fs::path& file) {
   const std::string ending = file.extension().string();
   const auto* row = std::find_if(kTypes.begin(), kTypes.end(), [&](const auto& one) { return one.ending == ending; });
   return row == kTypes.end() ? "application/octet-stream" : row->type;
@@ -111,7 +111,7 @@ std::string contentPolicy(std::string_view html) {
          "connect-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }
 
-Site::Site() { files_.emplace("/index.html", siteFile(std::string(kNoSite), typeOf("index.html"))); }
+Site::Site() { files_.emplace("/index.html", siteFile(std::string(kNoSite), mediaType("index.html"))); }
 
 Site::Site(const fs::path& folder) {
   std::error_code error;
@@ -131,8 +131,8 @@ Site::Site(const fs::path& folder) {
       throw Error::inFile(folder.string(), fmt::format("more than {} files or {} MB: is this the page's folder?",
                                                        kMaxSiteFiles, kMaxSiteBytes >> 20));
     }
-    if (typeOf(relative).starts_with("text/html")) markServed(content);
-    files_.emplace("/" + relative.generic_string(), siteFile(std::move(content), typeOf(relative)));
+    if (mediaType(relative).starts_with("text/html")) markServed(content);
+    files_.emplace("/" + relative.generic_string(), siteFile(std::move(content), mediaType(relative)));
   }
   if (!files_.contains("/index.html")) throw Error::inFile(folder.string(), "has no index.html: tools/build-web");
 }

@@ -41,6 +41,6 @@ class Site {
 std::string contentPolicy(std::string_view html);
 
 /// By the name's ending; "application/octet-stream" for an unknown one.
-std::string_view typeOf(const std::filesystem::path& file);
+std::string_view mediaType(const std::filesystem::path& file);
 
 }  // namespace palpate::app::serving

@@ -15,14 +15,14 @@ namespace {
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 double newton(double force) { return rounded(force, 1e4); }
 
-Json vectorOf(const Vec3& force) { return {newton(force.x()), newton(force.y()), newton(force.z())}; }
+Json forceJson(const Vec3& force) { return {newton(force.x()), newton(force.y()), newton(force.z())}; }
 
-std::string_view wordOf(contact::Touch touch) {
+std::string_view touchName(contact::Touch touch) {
   constexpr std::array<std::string_view, 3> kWords = {"free", "stick", "slip"};
   return kWords[static_cast<std::size_t>(touch)];
 }
 
-Json pressuresOf(const engine::FeltPressure& pressure, const trace::Sample& sample, const Listen& asked) {
+Json pressuresJson(const engine::FeltPressure& pressure, const trace::Sample& sample, const Listen& asked) {
   std::vector<double> kpa(asked.pad * asked.pad);
   pressure.at(sample.contact, sample.tick, {asked.pad, asked.pad_mm}, kpa);
   Json all = Json::array();
@@ -45,14 +45,14 @@ std::string TouchTexts::made(const Listen& asked, bool instructs) const {
   Json fingers = Json::array();
   for (const trace::Sample& sample : felt_) {
     const contact::FingerOutput& felt = sample.contact;
-    Json finger = {{"state", std::string(wordOf(felt.touch))},
+    Json finger = {{"state", std::string(touchName(felt.touch))},
                    {"depth_mm", newton(felt.depth_mm)},
-                   {"force_n", vectorOf(felt.force)}};
+                   {"force_n", forceJson(felt.force)}};
     if (instructs) {
-      finger["lump_force_n"] = vectorOf(felt.lump_force);
+      finger["lump_force_n"] = forceJson(felt.lump_force);
       finger["lump_share"] = newton(felt.lump_share);
     }
-    if (asked.pad > 0 && pressure_) finger["kpa"] = pressuresOf(*pressure_, sample, asked);
+    if (asked.pad > 0 && pressure_) finger["kpa"] = pressuresJson(*pressure_, sample, asked);
     fingers.push_back(std::move(finger));
   }
   Json json = {{"type", "touch"}, {"tick", felt_.empty() ? 0 : felt_.front().tick}};

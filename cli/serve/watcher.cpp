@@ -35,7 +35,7 @@ constexpr std::size_t kMaxWaiting = 8;
 
 class Watcher : public std::enable_shared_from_this<Watcher> {
  public:
-  Watcher(Wire wire, Hall& hall, Role role, WatcherId id)
+  Watcher(Wire wire, Connections& hall, Role role, WatcherId id)
       : stream_(std::move(wire)), hall_(hall), role_(role), id_(id) {}
   ~Watcher() { listenTo(std::nullopt); }
   Watcher(const Watcher&) = delete;
@@ -57,16 +57,16 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
     });
   }
 
-  void tell(const std::string& state) {
+  void sendState(const std::string& state) {
     state_ = state;
     send();
   }
-  void tellWords(const std::string& message) {
+  void queueMessage(const std::string& message) {
     if (words_.size() == kMaxWaiting) return drop();
     words_.push_back(message);
     send();
   }
-  void tellTouch(TouchTexts& texts) {
+  void publishTouch(TouchTexts& texts) {
     if (!listens_) return;
     touch_ = texts.of(*listens_, role_ == Role::instruct);
     send();
@@ -100,48 +100,49 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
       return close(websocket::close_code::try_again_later, "full");
     }
     hall_.join(shared_from_this(), id_);
-    Json hello = {{"type", "hello"}, {"version", 1}, {"you", id_}, {"role", std::string(wordOf(role_))}};
+    Json hello = {{"type", "hello"}, {"version", 1}, {"you", id_}, {"role", std::string(roleName(role_))}};
     hello.update(hall_.exhibits.facts);
     words_.push_back(jsonDump(hello));  // a file may be called anything
     frame_ = hall_.newest;
-    hall_.tellState();
+    hall_.publishState();
     read();
   }
 
   void read() {
-    stream_.async_read(buffer_, [self = shared_from_this()](Failure failure, std::size_t) { self->take(failure); });
+    stream_.async_read(buffer_,
+                       [self = shared_from_this()](Failure failure, std::size_t) { self->onMessage(failure); });
   }
 
-  void take(Failure failure) {
+  void onMessage(Failure failure) {
     if (failure) {
       if (failure == beast::error::timeout) ++hall_.counts.dropped;
       if (failure == websocket::error::message_too_big) ++hall_.counts.malformed;
       return hall_.leave(id_);
     }
-    if (!closing_) hear();
+    if (!closing_) handleRequest();
     buffer_.consume(buffer_.size());
     read();  // also while closing: the other side's goodbye arrives here
   }
 
-  void hear() {
+  void handleRequest() {
     if (isHasty()) return complain(websocket::close_code::policy_error, "too many messages");
     if (!stream_.got_text()) return complain(websocket::close_code::unknown_data, "text only");
     const auto bytes = buffer_.cdata();
     std::string why;
-    const auto request = requestOf({static_cast<const char*>(bytes.data()), bytes.size()}, why);
+    const auto request = parseRequest({static_cast<const char*>(bytes.data()), bytes.size()}, why);
     if (!request) return complain(websocket::close_code::bad_payload, why.substr(0, 100).c_str());
     const WatcherId holder = hall_.control.holder();
     const bool paused = hall_.control.paused();
-    why = hall_.control.hear(id_, role_, *request, hall_.now());
+    why = hall_.control.handleRequest(id_, role_, *request, hall_.now());
     const auto* listen = std::get_if<Listen>(&*request);
     if (listen != nullptr && listen->pad > 0 && !hall_.exhibits.pressure) why = "this body's tissue has no layers";
     if (!why.empty()) {
       refused_ = jsonDump(Json{{"type", "refused"}, {"why", why}});
       return send();
     }
-    if (const auto* say = std::get_if<Say>(&*request)) hall_.tellMessage(say->words);
+    if (const auto* say = std::get_if<Say>(&*request)) hall_.publishMessage(say->words);
     if (listen != nullptr) listenTo(listen->on ? std::optional(*listen) : std::nullopt);
-    if (holder != hall_.control.holder() || paused != hall_.control.paused()) hall_.tellState();
+    if (holder != hall_.control.holder() || paused != hall_.control.paused()) hall_.publishState();
   }
 
   void listenTo(const std::optional<Listen>& listen) {
@@ -204,7 +205,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
   }
 
   websocket::stream<Wire> stream_;
-  Hall& hall_;
+  Connections& hall_;
   const Role role_;
   const WatcherId id_;
   beast::flat_buffer buffer_;
@@ -223,13 +224,13 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
   double allowed_at_s_ = 0.0;
 };
 
-void beginLooking(Wire wire, Hall& hall, Role role, const HttpRequest& request) {
+void beginLooking(Wire wire, Connections& hall, Role role, const HttpRequest& request) {
   std::make_shared<Watcher>(std::move(wire), hall, role, ++hall.last_id)->accept(request);
 }
 
-void tell(Watcher& watcher, const std::string& state) { watcher.tell(state); }
-void tellWords(Watcher& watcher, const std::string& message) { watcher.tellWords(message); }
-void tellTouch(Watcher& watcher, TouchTexts& texts) { watcher.tellTouch(texts); }
+void sendState(Watcher& watcher, const std::string& state) { watcher.sendState(state); }
+void queueMessage(Watcher& watcher, const std::string& message) { watcher.queueMessage(message); }
+void publishTouch(Watcher& watcher, TouchTexts& texts) { watcher.publishTouch(texts); }
 void show(Watcher& watcher, const Frame& frame) { watcher.show(frame); }
 void look(Watcher& watcher) { watcher.look(); }
 void sendAway(Watcher& watcher) { watcher.close(websocket::close_code::going_away, "the server ends"); }

@@ -66,7 +66,7 @@ void displayUntilFinished(Display& display, servo::LoopLinks& links, std::span<c
   const auto started = Clock::now();
   const auto period = std::chrono::duration<double>(1.0 / kFramesPerS);
   for (int frame = 1; !links.finished.load(std::memory_order_acquire); ++frame) {
-    if (endAskedBy() != 0) links.stop = true;
+    if (endingSignal() != 0) links.stop = true;
     display.drawFrame();
     if (frame % kFramesPerLook == 0) device::tendDevices(devices);
     const auto due = started + std::chrono::duration_cast<Clock::duration>(frame * period);

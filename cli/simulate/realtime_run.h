@@ -37,6 +37,6 @@ servo::LoopReport runSleepUntil(servo::Rig& rig, std::uint64_t ticks, const serv
                                 servo::LoopLinks& links);
 
 /// "SCHED_FIFO 80" or "SCHED_OTHER": the loop's scheduler.
-std::string schedulerOf(const servo::PacingGrant& grant);
+std::string describeScheduler(const servo::PacingGrant& grant);
 
 }  // namespace palpate::app

@@ -81,7 +81,7 @@ RunRecorder::RunRecorder(const scene::World& world, const device::FingerPaths& p
   deepest_.file = "surface_deepest.ply";
 }
 
-void RunRecorder::keepRecording(const servo::Rig& rig) {
+void RunRecorder::startRecording(const servo::Rig& rig) {
   constexpr const char* kFile = "run.session";
   trace::RecordingHeader header = engine::recordingHeader(world_.scene.ticks_per_s);
   header.notes = world_.scene.title;

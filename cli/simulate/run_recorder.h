@@ -64,7 +64,7 @@ class RunRecorder {
   RunRecorder(const scene::World& world, const device::FingerPaths& paths, const std::filesystem::path& folder);
 
   /// Also keeps the whole run as a recording file (docs/reference/recordings.md).
-  void keepRecording(const servo::Rig& rig);
+  void startRecording(const servo::Rig& rig);
 
   /// Samples in order; the fingers of a tick follow each other.
   void add(const trace::Sample& sample);

@@ -67,7 +67,7 @@ servo::LoopReport runSleepUntil(servo::Rig& rig, std::uint64_t ticks, const serv
   return report;
 }
 
-std::string schedulerOf(const servo::PacingGrant& grant) {
+std::string describeScheduler(const servo::PacingGrant& grant) {
   return grant.realtime ? fmt::format("SCHED_FIFO {}", servo::PacingSettings{}.realtime_priority) : "SCHED_OTHER";
 }
 

@@ -31,10 +31,10 @@ void runSimulate(const SimulateOptions& options) {
   progress.clear();
   result.preset = options.preset;
   result.files.emplace_back("report.json");
-  const std::string json = jsonDump(reportOf(result), 2) + "\n";
+  const std::string json = jsonDump(reportJson(result), 2) + "\n";
   writeFile(result.folder / "report.json", json);
   removeEarlier(results, result.files);
-  fmt::print("{}", options.json ? json : summaryOf(result));
+  fmt::print("{}", options.json ? json : formatSummary(result));
 }
 
 void addOutputOptions(Command& command, SimulateOptions& options) {

@@ -31,8 +31,8 @@ Json interventionsJson(const FingerStatistics& finger) {
 }
 
 /// The place of deepest pressure as an examiner names it; empty without a touch or on a body without names.
-std::string whereWords(const scene::World& world, const FingerStatistics& finger) {
-  return finger.touching == 0 ? "" : body::inWords(world.body->anatomy.landmarks, finger.deepest_at);
+std::string describePlace(const scene::World& world, const FingerStatistics& finger) {
+  return finger.touching == 0 ? "" : body::describePlace(world.body->anatomy.landmarks, finger.deepest_at);
 }
 
 Json fingerJson(const scene::World& world, std::size_t i, const FingerStatistics& finger) {
@@ -46,7 +46,7 @@ Json fingerJson(const scene::World& world, std::size_t i, const FingerStatistics
                {"device_limited_share", share(finger.limited, finger.touching)},
                {"interventions", interventionsJson(finger)},
                {"triangles_touched", finger.triangles}};
-  const std::string where = whereWords(world, finger);
+  const std::string where = describePlace(world, finger);
   if (!where.empty()) json["where"] = where;
   return json;
 }
@@ -134,7 +134,7 @@ std::string fingerTable(const SimulationResult& result) {
 std::string placeLines(const SimulationResult& result) {
   std::string text;
   for (std::size_t i = 0; i < result.fingers.size(); ++i) {
-    const std::string where = whereWords(*result.world, result.fingers[i]);
+    const std::string where = describePlace(*result.world, result.fingers[i]);
     if (where.empty()) continue;
     text += fmt::format("  place      {} pressed deepest at {}\n", result.world->scene.fingers[i].name, where);
   }
@@ -143,7 +143,7 @@ std::string placeLines(const SimulationResult& result) {
 
 std::string coverLine(const SimulationResult& result) {
   if (!result.cover) return {};
-  return fmt::format("  clearance  {} at the deepest press\n", engine::inWords(*result.cover, *result.world));
+  return fmt::format("  clearance  {} at the deepest press\n", engine::describe(*result.cover, *result.world));
 }
 
 std::string realtimeLines(const SimulationResult& result) {
@@ -184,7 +184,7 @@ std::string filesLines(const SimulationResult& result) {
 
 }  // namespace
 
-Json reportOf(const SimulationResult& result) {
+Json reportJson(const SimulationResult& result) {
   Json fingers = Json::array();
   for (std::size_t i = 0; i < result.fingers.size(); ++i) {
     fingers.push_back(fingerJson(*result.world, i, result.fingers[i]));
@@ -217,10 +217,10 @@ Json reportOf(const SimulationResult& result) {
   return report;
 }
 
-std::string summaryOf(const SimulationResult& result) {
+std::string formatSummary(const SimulationResult& result) {
   std::string text = fmt::format("{}\n", result.world->scene.title);
   text += fmt::format("  body       {}\n", bodyLine(*result.world));
-  text += fmt::format("  tissue     {}\n", scene::inWords(result.world->tissue));
+  text += fmt::format("  tissue     {}\n", scene::describe(result.world->tissue));
   text += fmt::format("  run        {}\n", runLine(result));
   text += fingerTable(result);
   text += placeLines(result);

@@ -51,7 +51,7 @@ void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& pa
 }
 
 /// The limits of the weakest device hold for all fingers: forces of two of them must compare.
-void takeLimits(const std::vector<device::Device>& devices, servo::Rig& rig, SimulationResult& result) {
+void applyLimits(const std::vector<device::Device>& devices, servo::Rig& rig, SimulationResult& result) {
   const scene::World& world = *result.world;
   std::vector<device::Capabilities> able;
   for (const device::Device& device : devices) able.push_back(device.capabilities);
@@ -80,7 +80,7 @@ void useDevices(const SimulationSettings& settings, const device::FingerPaths& p
     devices[i] = placedDevice(devices[i], settings.devices[i], i, paths.tips[i]->front(), result.world->scene);
     servo::giveDevice(rig.fingers[i], devices[i]);
   }
-  takeLimits(devices, rig, result);
+  applyLimits(devices, rig, result);
   const double factor = result.limits.stiffness_factor;
   for (std::size_t i = 0; i < devices.size(); ++i) {
     result.notes.push_back(fmt::format("finger {} is held by {}{}", result.world->scene.fingers[i].name,
@@ -101,7 +101,7 @@ void run(const device::FingerPaths& paths, const SimulationSettings& settings, R
   const scene::World& world = *result.world;
   servo::Rig rig = servo::scriptedRig(world, paths);
   useDevices(settings, paths, rig, result);
-  if (settings.recording) recorder.keepRecording(rig);
+  if (settings.recording) recorder.startRecording(rig);
   if (settings.realtime) {
     const auto record = [&](const trace::Sample& sample) { recorder.add(sample); };
     RealtimeReport report = runRealtime(world, rig, paths.ticks, record, progress);
@@ -113,7 +113,7 @@ void run(const device::FingerPaths& paths, const SimulationSettings& settings, R
   const auto record = [&](std::span<const trace::Sample> samples) {
     for (const trace::Sample& sample : samples) recorder.add(sample);
   };
-  result.loop = servo::runHeadless(rig, paths.ticks, record, progress, [] { return endAskedBy() != 0; });
+  result.loop = servo::runHeadless(rig, paths.ticks, record, progress, [] { return endingSignal() != 0; });
 }
 
 void noteUntouched(const scene::World& world, const RunStatistics& statistics, std::vector<std::string>& notes) {
@@ -128,7 +128,7 @@ void noteUntouched(const scene::World& world, const RunStatistics& statistics, s
 /// Drawing may fail without ending the run, and an interrupted run is not drawn.
 std::optional<view::Image> drawnSheet(const RunRecorder& recorder, SimulationResult& result, const Progress& progress) {
   try {
-    return contactSheet(result.world, {recorder.deepest(), recorder.farthest()}, endingWhenAsked(progress));
+    return contactSheet(result.world, {recorder.deepest(), recorder.farthest()}, interruptible(progress));
   } catch (const Error& error) {
     result.notes.push_back(fmt::format("no {}: {}", kPicturesFile, error.what()));
   } catch (const Ended& ended) {
@@ -149,14 +149,14 @@ void leavePictures(const RunRecorder& recorder, SimulationResult& result, const 
 /// Ticks that were left out in real time count too.
 void noteEnd(const scene::World& world, SimulationResult& result) {
   const double seconds = static_cast<double>(result.loop.ticks + result.loop.overruns) / world.scene.ticks_per_s;
-  result.ended_by = endAskedBy();
+  result.ended_by = endingSignal();
   if (result.ended_by == 0 || seconds >= result.planned_s) return;
   result.duration_s = seconds;
   result.notes.push_back(fmt::format("ended by {} after {:.3f} of {:.3f} s: the results are those of this part",
                                      nameOfSignal(result.ended_by), seconds, result.planned_s));
 }
 
-std::optional<engine::BoneCover> coverOf(const scene::World& world, const servo::TickSamples& deepest) {
+std::optional<engine::BoneCover> measureBoneCover(const scene::World& world, const servo::TickSamples& deepest) {
   if (deepest.empty() || world.body->anatomy.bones.empty()) return std::nullopt;
   engine::LivingSkin skin(world, {.strain = false});
   skin.follow(deepest);
@@ -185,7 +185,7 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   result.folder = settings.folder;
   const std::int64_t started_ns = monotonicNs();
   {
-    const NothingToFinish nothing;
+    const EndAtOnce nothing;
     result.world = scene::build(scene, progress);
   }
   const scene::World& world = *result.world;
@@ -198,10 +198,10 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   RunRecorder recorder(world, paths, settings.folder);
   run(paths, settings, recorder, result, progress);
   recorder.finish(progress);
-  recorder.finishRecording(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()), result.loop.dropped_samples);
+  recorder.finishRecording(endingSignal() == 0 ? "done" : nameOfSignal(endingSignal()), result.loop.dropped_samples);
 
   result.fingers = recorder.statistics().fingers();
-  result.cover = coverOf(world, recorder.deepest());
+  result.cover = measureBoneCover(world, recorder.deepest());
   result.hash = recorder.statistics().hash();
   append(result.files, recorder.files());
   noteEnd(world, result);
@@ -211,7 +211,7 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
   noteUntouched(world, recorder.statistics(), result.notes);
   if (settings.plot) leavePlot(result);
   if (settings.pictures) leavePictures(recorder, result, progress);
-  result.ended_by = endAskedBy();
+  result.ended_by = endingSignal();
   return result;
 }
 

@@ -61,9 +61,9 @@ SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& s
 // Output to the user: simulate_report.cpp.
 
 /// Keys carry their units; docs/reference/simulate.md lists them.
-Json reportOf(const SimulationResult& result);
+Json reportJson(const SimulationResult& result);
 
 /// Some twenty lines, fit for a terminal of 100 columns.
-std::string summaryOf(const SimulationResult& result);
+std::string formatSummary(const SimulationResult& result);
 
 }  // namespace palpate::app

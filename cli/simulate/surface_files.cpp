@@ -18,7 +18,7 @@ mesh::TriangleMesh deformedMesh(const scene::World& world, const engine::LivingS
   return mesh;
 }
 
-mesh::VertexChannels channelsOf(const scene::World& world, const deform::DeformedSurface& surface) {
+mesh::VertexChannels buildChannels(const scene::World& world, const deform::DeformedSurface& surface) {
   mesh::VertexChannels channels;
   channels.scalars = {
       {"displacement_mm", {}}, {"displacement_x_mm", {}}, {"displacement_y_mm", {}}, {"displacement_z_mm", {}},
@@ -42,7 +42,7 @@ mesh::VertexChannels channelsOf(const scene::World& world, const deform::Deforme
 void writeSurface(const std::filesystem::path& file, const scene::World& world, const servo::TickSamples& frame) {
   engine::LivingSkin skin(world);
   skin.follow(frame);
-  mesh::save(file, deformedMesh(world, skin), channelsOf(world, skin.surface()));
+  mesh::save(file, deformedMesh(world, skin), buildChannels(world, skin.surface()));
 }
 
 }  // namespace palpate::app

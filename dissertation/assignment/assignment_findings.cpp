@@ -35,7 +35,7 @@ Extent againstMajority(const AssignmentMeasurement& found, Assignment assignment
   Extent extent;
   for (const AssignmentRow& row : found.rows) {
     if (row.assignment != assignment) continue;
-    extent.add(row.*value / (rowOf(found, row.tree, Assignment::Majority, row.threshold).*value));
+    extent.add(row.*value / (findAssignmentRow(found, row.tree, Assignment::Majority, row.threshold).*value));
   }
   return extent;
 }
@@ -65,9 +65,9 @@ FindingValues bestCase(const AssignmentMeasurement& found) {
 
 FindingValues overlapOfLeaves(const AssignmentMeasurement& found) {
   const Index small = found.plan.thresholds.front();
-  const AssignmentRow& a = rowOf(found, TreeKind::Octree, Assignment::Cut, small);
-  const AssignmentRow& b = rowOf(found, TreeKind::Octree, Assignment::BothSides, small);
-  const AssignmentRow& c = rowOf(found, TreeKind::Octree, Assignment::Majority, small);
+  const AssignmentRow& a = findAssignmentRow(found, TreeKind::Octree, Assignment::Cut, small);
+  const AssignmentRow& b = findAssignmentRow(found, TreeKind::Octree, Assignment::BothSides, small);
+  const AssignmentRow& c = findAssignmentRow(found, TreeKind::Octree, Assignment::Majority, small);
   double overlap_of_a = 0.0;
   for (const AssignmentRow& row : found.rows) {
     if (row.assignment == Assignment::Cut) overlap_of_a = std::max(overlap_of_a, row.overlap);
@@ -88,8 +88,8 @@ FindingValues smallLeaves(const AssignmentMeasurement& found) {
   std::vector<std::string> paying;
   for (const auto& [assignment, name] :
        {std::pair{Assignment::Majority, "C"}, std::pair{Assignment::BothSides, "B"}, std::pair{Assignment::Cut, "A"}}) {
-    const double change = rowOf(found, TreeKind::Octree, assignment, small).rendered /
-                          rowOf(found, TreeKind::Octree, assignment, kPrintedThreshold).rendered;
+    const double change = findAssignmentRow(found, TreeKind::Octree, assignment, small).rendered /
+                          findAssignmentRow(found, TreeKind::Octree, assignment, kPrintedThreshold).rendered;
     changes.push_back({{"factor", change}, {"case", name}});
     if (change < 1.0) paying.emplace_back(name);
   }
@@ -118,7 +118,7 @@ FindingValues missedTriangles(const AssignmentMeasurement& found) {
 }
 
 FindingValues buildingOfCases(const AssignmentMeasurement& found) {
-  const AssignmentRow& c = rowOf(found, TreeKind::Octree, Assignment::Majority, kPrintedThreshold);
+  const AssignmentRow& c = findAssignmentRow(found, TreeKind::Octree, Assignment::Majority, kPrintedThreshold);
   return {{"ns", c.build_ns},
           {"bytes", c.bytes},
           {"threshold", kPrintedThreshold},
@@ -130,7 +130,8 @@ FindingValues buildingOfCases(const AssignmentMeasurement& found) {
 
 }  // namespace
 
-const AssignmentRow& rowOf(const AssignmentMeasurement& found, TreeKind tree, Assignment assignment, Index threshold) {
+const AssignmentRow& findAssignmentRow(const AssignmentMeasurement& found, TreeKind tree, Assignment assignment,
+                                       Index threshold) {
   return *std::find_if(found.rows.begin(), found.rows.end(), [&](const AssignmentRow& row) {
     return row.tree == tree && row.assignment == assignment && row.threshold == threshold;
   });
@@ -143,11 +144,11 @@ double worst(const AssignmentMeasurement& found, double AssignmentRow::*value) {
 }
 
 std::vector<std::string> assignmentFindings(const AssignmentMeasurement& found) {
-  return findingsOf(texts::assignment_findings, {{"best", bestCase(found)},
-                                                 {"small_leaves", smallLeaves(found)},
-                                                 {"miss", missedTriangles(found)},
-                                                 {"overlap", overlapOfLeaves(found)},
-                                                 {"build", buildingOfCases(found)}});
+  return formatFindings(texts::assignment_findings, {{"best", bestCase(found)},
+                                                     {"small_leaves", smallLeaves(found)},
+                                                     {"miss", missedTriangles(found)},
+                                                     {"overlap", overlapOfLeaves(found)},
+                                                     {"build", buildingOfCases(found)}});
 }
 
 }  // namespace palpate::study

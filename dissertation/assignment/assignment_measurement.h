@@ -59,8 +59,8 @@ std::vector<AssignmentRow> rowsOf(const AssignmentMeasurement& found, hdb::TreeK
 std::vector<std::string> assignmentFindings(const AssignmentMeasurement& found);
 
 /// The row of that tree, case and threshold, which must have been measured.
-const AssignmentRow& rowOf(const AssignmentMeasurement& found, hdb::TreeKind tree, hdb::Assignment assignment,
-                           Index threshold);
+const AssignmentRow& findAssignmentRow(const AssignmentMeasurement& found, hdb::TreeKind tree,
+                                       hdb::Assignment assignment, Index threshold);
 
 /// The largest of all rows.
 double worst(const AssignmentMeasurement& found, double AssignmentRow::*value);

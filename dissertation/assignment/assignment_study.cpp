@@ -91,7 +91,7 @@ Plot missPlot(const AssignmentMeasurement& found) {
   return plot;
 }
 
-std::vector<StudyFigure> figuresOf(const AssignmentMeasurement& found) {
+std::vector<StudyFigure> makeFigures(const AssignmentMeasurement& found) {
   Figure misses{.panels = {missPlot(found)}, .panel_width_px = 620.0};
   misses.note =
       "Ours, the tight box of each node's triangles, misses none in any of the runs, which this axis cannot show.";
@@ -127,7 +127,7 @@ std::vector<AssignmentRow> printedRows(const AssignmentMeasurement& found) {
   return rows;
 }
 
-std::vector<std::string> methodOf(const AssignmentPlan& plan) {
+std::vector<std::string> describeMethod(const AssignmentPlan& plan) {
   return {fmt::format("Model: the benchmark's back with {} triangles. The box is a cube of a quarter of the longest "
                       "edge round {} places of the skin, the tip 5 mm deep; means of the places, at each the fastest "
                       "of {} runs. A triangle is missed when its box meets the detecting box (brute force over the "
@@ -143,7 +143,7 @@ std::vector<std::pair<std::string, double>> numbersOf(const AssignmentMeasuremen
   constexpr const char* kNames[] = {"a", "b", "c"};
   for (const TreeKind tree : kTrees) {
     for (std::size_t i = 0; i < kAssignments.size(); ++i) {
-      const AssignmentRow& row = rowOf(found, tree, kAssignments[i], kPrintedThreshold);
+      const AssignmentRow& row = findAssignmentRow(found, tree, kAssignments[i], kPrintedThreshold);
       const std::string stem = fmt::format("{}_{}_1024_", wordFor(tree), kNames[i]);
       numbers.emplace_back(stem + "stored", row.stored);
       numbers.emplace_back(stem + "overlap", row.overlap);
@@ -172,10 +172,10 @@ StudyPage studyAssignment(const StudySettings& settings) {
           "(3.3.2). How many triangles does each store and render, how far do leaves overlap, what is missed, and what "
           "does it cost?",
       .findings = assignmentFindings(found),
-      .method = methodOf(found.plan),
+      .method = describeMethod(found.plan),
       .tables = {{"assignment_1024_table", "At the dissertation's threshold of 1024.", rowTable(printedRows(found))},
                  {"assignment_table", "Every threshold.", rowTable(found.rows), false}},
-      .figures = figuresOf(found),
+      .figures = makeFigures(found),
       .numbers = numbersOf(found)};
 }
 

@@ -50,7 +50,7 @@ void runCredibility(const CredibilityArguments& arguments) {
   const study::CredibilityFile file = study::makeCredibility(settings);
   progress.clear();
   for (const std::string& name : arguments.files) study::writeCredibility(file, name);
-  fmt::print("{}", arguments.json ? study::jsonOf(file) : study::textOf(file));
+  fmt::print("{}", arguments.json ? study::toJson(file) : study::textOf(file));
   if (!arguments.json) {
     for (const std::string& name : arguments.files) fmt::print("\n{}\n", name);
   }
@@ -75,7 +75,7 @@ void addCredibilityCommand(Command& study) {
       ->check(wrongEnding);
   command.add_option("--question", a.question, "Question of interest (default: teaching and examining palpation)");
   command.add_option("--context", a.context, "Context of use (default: one fingertip in training, no patient)");
-  const auto levels = allWords<study::RiskLevel>();
+  const auto levels = enumNames<study::RiskLevel>();
   const std::vector<std::string> words(levels.begin(), levels.end());
   command.add_option("--influence", a.influence, "Influence of the model on the decision: low, medium, high")
       ->capture_default_str()

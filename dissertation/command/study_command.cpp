@@ -34,7 +34,7 @@ namespace palpate::app {
 namespace {
 
 /// One folder may hold several studies; replacing one of them is reported.
-void tellOfEarlier(const std::string& folder, const std::string& file) {
+void warnIfReplacing(const std::string& folder, const std::string& file) {
   const std::filesystem::path page = std::filesystem::path(folder) / file;
   if (folder.empty() || !std::filesystem::exists(page)) return;
   say(fmt::format("palpate: {} is of an earlier run: it is replaced, and what this run does not write stays\n",
@@ -59,7 +59,7 @@ std::string pageName(const study::Study& study, const StudyArguments& arguments)
 
 void run(const study::Study& study, const StudyArguments& arguments) {
   const MadeFolder made(arguments.folder);
-  tellOfEarlier(arguments.folder, pageName(study, arguments) + ".md");
+  warnIfReplacing(arguments.folder, pageName(study, arguments) + ".md");
   ProgressLine progress;
   const study::StudyPage page = study::runStudy(study, {.quick = arguments.quick,
                                                         .progress = progress.callback(),
@@ -69,7 +69,7 @@ void run(const study::Study& study, const StudyArguments& arguments) {
                                                         .family = arguments.family});
   if (!arguments.folder.empty()) study::writePage(page, arguments.folder, progress.callback());
   progress.clear();
-  fmt::print("{}", arguments.json ? study::jsonOf(page) : study::textOf(page));
+  fmt::print("{}", arguments.json ? study::toJson(page) : study::textOf(page));
   if (!arguments.json && !arguments.folder.empty()) fmt::print("\n{}/{}.md\n", arguments.folder, page.name);
 }
 
@@ -129,16 +129,16 @@ struct AllArguments {
 
 void runAll(const AllArguments& arguments) {
   const scene::Scene scene = studyScene();
-  tellOfEarlier(arguments.folder, "report.html");
+  warnIfReplacing(arguments.folder, "report.html");
   ProgressLine progress;
-  const auto tell = [&](const study::ChapterDone& chapter) {
+  const auto print_chapter = [&](const study::ChapterDone& chapter) {
     progress.clear();
     fmt::print("{:>2} of {}  {:<14} {:6.1f} s\n", chapter.number, chapter.of, chapter.name, chapter.seconds);
     std::fflush(stdout);
   };
   const FinishesInOrder in_order;
   study::writeReport(study::reportChapters(scene), {.quick = arguments.quick, .progress = progress.callback()},
-                     arguments.folder, tell, [] { return endAskedBy() != 0; });
+                     arguments.folder, print_chapter, [] { return endingSignal() != 0; });
   progress.clear();
   fmt::print("{}/report.html\n", arguments.folder);
 }
@@ -166,9 +166,9 @@ struct NumbersArguments {
 };
 
 void runNumbers(const NumbersArguments& arguments) {
-  tellOfEarlier(arguments.folder, "numbers.md");
+  warnIfReplacing(arguments.folder, "numbers.md");
   const auto rows = study::studyNumbers();
-  fmt::print("{}", arguments.json ? study::jsonOf(rows) : study::textOf(rows));
+  fmt::print("{}", arguments.json ? study::toJson(rows) : study::textOf(rows));
   if (!arguments.folder.empty()) study::writeNumbers(rows, arguments.folder);
   if (!study::studyHolds(rows)) throw ExitWith(kNotReproduced);
 }
@@ -201,7 +201,7 @@ void runFigures(const FiguresArguments& arguments) {
     return;
   }
   if (arguments.folder.empty()) throw Error("study figures: --out DIR is needed");
-  tellOfEarlier(arguments.folder, "index.md");
+  warnIfReplacing(arguments.folder, "index.md");
   ProgressLine progress;
   study::writeFigures(chosen, arguments.folder, arguments.scale, progress.callback());
   progress.clear();
@@ -234,7 +234,7 @@ void runErrata(const ErrataArguments& arguments) {
   }
   const scene::Scene scene = arguments.scene.empty() ? studyScene() : scene::load(arguments.scene);
   scene::requireFingers(scene);
-  tellOfEarlier(arguments.folder, "errata.md");
+  warnIfReplacing(arguments.folder, "errata.md");
   ProgressLine progress;
   const auto effects = study::studyErrata(scene, progress.callback());
   progress.clear();

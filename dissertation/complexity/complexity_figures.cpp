@@ -47,11 +47,11 @@ Plot worstPlot(const ComplexityResults& results) {
 // Largest cost of m of n leaves on a complete tree: nodes on paths, and boxes tested.
 Series boundSeries(const std::string& name, TreeKind tree, int height, bool tested) {
   Series bound{.name = name, .stroke = Stroke::dashed, .colour = tested ? figures::kVermilion : figures::kBlue};
-  const double leaves = static_cast<double>(hdb::leavesOfCompleteTree(arityOf(tree), height));
+  const double leaves = static_cast<double>(hdb::leavesOfCompleteTree(treeArity(tree), height));
   for (double found = 1.0; found <= leaves; found += std::max(1.0, leaves / 200.0)) {
     const auto m = static_cast<std::uint64_t>(found);
     const auto nodes =
-        tested ? hdb::mostNodesTested(arityOf(tree), height, m) : hdb::mostNodesOnPaths(arityOf(tree), height, m);
+        tested ? hdb::mostNodesTested(treeArity(tree), height, m) : hdb::mostNodesOnPaths(treeArity(tree), height, m);
     bound.x.push_back(found / leaves);
     bound.y.push_back(static_cast<double>(nodes) / leaves);
   }

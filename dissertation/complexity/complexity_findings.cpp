@@ -43,7 +43,7 @@ double mostNodesPerLeaf(const ComplexityResults& results, TreeKind tree) {
 
 // The height from which the printed estimate r w nodes exceeds n by itself.
 int heightAboveLinear(TreeKind tree) {
-  const int arity = arityOf(tree);
+  const int arity = treeArity(tree);
   for (int height = 1; height < 20; ++height) {
     if (hdb::visitedPerLeaf(arity, hdb::kWorstLeafRatio, hdb::worstSearch(arity, height).w) > 1.0) {
       return height;
@@ -127,7 +127,7 @@ FindingValues searchesOfTrees(const ComplexityResults& results) {
 
 std::ptrdiff_t columnsWith(const ComplexityResults& results, Verdict verdict) {
   return std::count_if(results.columns.begin(), results.columns.end(),
-                       [&](const WorstColumn& column) { return verdictOf(column) == verdict; });
+                       [&](const WorstColumn& column) { return columnVerdict(column) == verdict; });
 }
 
 FindingValues printedColumns(const ComplexityResults& results) {
@@ -160,14 +160,14 @@ FindingValues growthOfSearches(const ComplexityResults& results) {
 
 }  // namespace
 
-Verdict verdictOf(const WorstColumn& column) {
+Verdict columnVerdict(const WorstColumn& column) {
   const char* table = column.tree == TreeKind::Bsp ? "Table 3.3" : "Table 3.4";
   return judged(fmt::format("{}, height {}", table, column.height), "w", fmt::format("{:.2f}", column.printed),
                 column.counted, "")
       .verdict;
 }
 
-std::string wordOf(Verdict verdict) {
+std::string verdictText(Verdict verdict) {
   if (verdict == Verdict::misprint) return fmt::format("{} (E13)", wordFor(verdict));
   return verdict == Verdict::from_engine ? "reproduced" : std::string(wordFor(verdict));
 }
@@ -198,13 +198,13 @@ double worstBoundRatio(const ComplexityResults& results) {
 }
 
 std::vector<std::string> complexityFindings(const ComplexityResults& results) {
-  return findingsOf(texts::complexity_findings, {{"cost", costOfSearches(results)},
-                                                 {"share", shareOfLeaves(results)},
-                                                 {"linear", againstLinear(results)},
-                                                 {"trees", searchesOfTrees(results)},
-                                                 {"columns", printedColumns(results)},
-                                                 {"bound", boundOfSearches(results)},
-                                                 {"growth", growthOfSearches(results)}});
+  return formatFindings(texts::complexity_findings, {{"cost", costOfSearches(results)},
+                                                     {"share", shareOfLeaves(results)},
+                                                     {"linear", againstLinear(results)},
+                                                     {"trees", searchesOfTrees(results)},
+                                                     {"columns", printedColumns(results)},
+                                                     {"bound", boundOfSearches(results)},
+                                                     {"growth", growthOfSearches(results)}});
 }
 
 }  // namespace palpate::study

@@ -28,7 +28,7 @@ double countedW(TreeKind tree, int height) {
 std::vector<WorstColumn> worstColumns() {
   std::vector<WorstColumn> columns;
   const auto add = [&](TreeKind tree, int height, double printed) {
-    columns.push_back({tree, height, printed, hdb::worstSearch(arityOf(tree), height).w, countedW(tree, height)});
+    columns.push_back({tree, height, printed, hdb::worstSearch(treeArity(tree), height).w, countedW(tree, height)});
   };
   for (std::size_t i = 0; i < std::size(hdb::kTable33Heights); ++i) {
     add(TreeKind::Bsp, hdb::kTable33Heights[i], hdb::kTable33PrintedW[i]);

@@ -66,9 +66,9 @@ std::vector<StudyFigure> complexityFigures(const ComplexityResults& results);
 std::vector<std::string> complexityFindings(const ComplexityResults& results);
 
 /// A misprint only where the list of misprints has it and the counted w is the number that it names (number_row.h).
-Verdict verdictOf(const WorstColumn& column);
+Verdict columnVerdict(const WorstColumn& column);
 /// "reproduced", "misprint (E13)" or "NOT REPRODUCED".
-std::string wordOf(Verdict verdict);
+std::string verdictText(Verdict verdict);
 
 /// The share of found leaves from which a tree tests more boxes on average than a list of its leaves has.
 double shareWhereListWins(const ComplexityResults& results, hdb::TreeKind tree);

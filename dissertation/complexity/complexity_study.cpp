@@ -19,7 +19,7 @@ StudyTable wTable(const ComplexityResults& results) {
   for (const WorstColumn& column : results.columns) {
     table.table.rows.push_back({titleOf(column.tree), fmt::format("{}", column.height),
                                 fmt::format("{:.2f}", column.printed), fmt::format("{:.4f}", column.closed),
-                                fmt::format("{:.4f}", column.counted), wordOf(verdictOf(column))});
+                                fmt::format("{:.4f}", column.counted), verdictText(columnVerdict(column))});
   }
   return table;
 }

@@ -10,7 +10,7 @@
 
 namespace palpate::study {
 
-int arityOf(hdb::TreeKind tree) { return tree == hdb::TreeKind::Bsp ? hdb::kBspArity : hdb::kOctreeArity; }
+int treeArity(hdb::TreeKind tree) { return tree == hdb::TreeKind::Bsp ? hdb::kBspArity : hdb::kOctreeArity; }
 
 namespace {
 
@@ -23,7 +23,7 @@ void addTriangle(const Vec3& centre, mesh::TriangleMesh& mesh) {
   mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
-void keepMost(const SearchCount& count, SearchCount& most) {
+void updateMaxima(const SearchCount& count, SearchCount& most) {
   most.leaves_found = std::max(most.leaves_found, count.leaves_found);
   most.on_paths = std::max(most.on_paths, count.on_paths);
   most.entered = std::max(most.entered, count.entered);
@@ -37,7 +37,7 @@ void addShare(const SearchCount& count, double share, SearchCount& mean) {
   mean.tested += share * count.tested;
 }
 
-int heightOf(const hdb::Partition& tree) {
+int treeHeight(const hdb::Partition& tree) {
   int height = 0;
   for (const Index leaf : tree.leaves) height = std::max<int>(height, tree.nodes[leaf].level);
   return height;
@@ -94,7 +94,7 @@ SearchCount SearchCounter::count(const Box3& box) {
 SearchSweep sweepSearches(const mesh::TriangleMesh& mesh, const hdb::Partition& tree, double edge_mm,
                           std::size_t most_places) {
   SearchSweep sweep;
-  sweep.height = heightOf(tree);
+  sweep.height = treeHeight(tree);
   sweep.leaves = static_cast<double>(tree.leaves.size());
   sweep.nodes = static_cast<double>(tree.tree_node_count);
   SearchCounter counter(tree);
@@ -103,10 +103,10 @@ SearchSweep sweepSearches(const mesh::TriangleMesh& mesh, const hdb::Partition& 
   for (std::size_t v = 0; v < mesh.positions.size(); v += stride) {
     const SearchCount count = counter.count(hdb::hapticBox(mesh.positions[v], edge_mm));
     const auto bound =
-        hdb::mostNodesOnPaths(arityOf(tree.tree), sweep.height, static_cast<std::uint64_t>(count.leaves_found));
+        hdb::mostNodesOnPaths(treeArity(tree.tree), sweep.height, static_cast<std::uint64_t>(count.leaves_found));
     if (bound > 0)
       sweep.worst_over_bound = std::max(sweep.worst_over_bound, count.on_paths / static_cast<double>(bound));
-    keepMost(count, sweep.worst);
+    updateMaxima(count, sweep.worst);
     addShare(count, share, sweep.mean);
     sweep.queries.push_back(count);
   }

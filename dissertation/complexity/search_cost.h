@@ -14,7 +14,7 @@
 namespace palpate::study {
 
 /// Children of a node: 2 or 8.
-int arityOf(hdb::TreeKind tree);
+int treeArity(hdb::TreeKind tree);
 
 /// One query, or the worst or mean of many.
 struct SearchCount {

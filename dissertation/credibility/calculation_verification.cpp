@@ -60,7 +60,7 @@ Evidence tickLength() {
   std::vector<double> errors;
   for (const Vec3& force : finer) greatest = std::max(greatest, force.norm());
   for (std::size_t i = 0; i < usual.size(); ++i) errors.push_back(100.0 * (usual[i] - finer[i]).norm() / greatest);
-  const lab::Spread spread = lab::spreadOf(errors);
+  const lab::Spread spread = lab::computeSpread(errors);
   return {.name = "tick_length",
           .title = "Ticks of the servo loop",
           .against = "the same press and drag at eight times the rate",
@@ -95,7 +95,7 @@ lab::Spread facetErrors(int level, std::uint64_t seed) {
     }
     errors.push_back(100.0 * std::abs(force.norm() / (kStiffness * kCheckedDepthMm) - 1.0));
   }
-  return lab::spreadOf(errors);
+  return lab::computeSpread(errors);
 }
 
 Evidence facets(const CredibilitySettings& settings) {

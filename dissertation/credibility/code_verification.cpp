@@ -32,7 +32,7 @@ double asNumber(std::size_t count) { return static_cast<double>(count); }
 
 Evidence printedNumbersEvidence() {
   const std::vector<NumberRow> rows = studyNumbers();
-  const auto count = [&](Verdict verdict) { return static_cast<double>(countOf(rows, verdict)); };
+  const auto count = [&](Verdict verdict) { return static_cast<double>(countRows(rows, verdict)); };
   return {.name = "numbers",
           .title = "Printed numbers",
           .against = "numbers that W. Ji's dissertation prints",

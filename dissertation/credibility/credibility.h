@@ -131,18 +131,18 @@ struct CredibilityFile {
 CredibilityFile makeCredibility(const CredibilitySettings& settings);
 
 /// From the sections alone: which factors they cover, and what is missing.
-std::vector<CredibilityFactor> factorsOf(const std::vector<CredibilitySection>& sections);
-std::vector<CredibilityLimit> limitsOf(const std::vector<CredibilitySection>& sections,
-                                       const std::vector<CredibilityFactor>& factors);
+std::vector<CredibilityFactor> collectFactors(const std::vector<CredibilitySection>& sections);
+std::vector<CredibilityLimit> collectLimits(const std::vector<CredibilitySection>& sections,
+                                            const std::vector<CredibilityFactor>& factors);
 
 /// The sentence of a piece of evidence, filled by its numbers.
-std::string findingOf(const Evidence& evidence);
+std::string formatFinding(const Evidence& evidence);
 
 // Text for a terminal, JSON for programs, one HTML file for people.
 
 std::string textOf(const CredibilityFile& file);
-std::string jsonOf(const CredibilityFile& file);
-std::string htmlOf(const CredibilityFile& file);
+std::string toJson(const CredibilityFile& file);
+std::string toHtml(const CredibilityFile& file);
 
 /// .html or .json, by the name. Throws Error for another, and naming a file that cannot be written.
 void writeCredibility(const CredibilityFile& credibility, const std::filesystem::path& file);

@@ -89,8 +89,8 @@ void addUsed(const FindingValues& all, const std::vector<FindingsPart>& parts, F
   }
 }
 
-/// A paragraph uses some of the numbers; findingsOf accepts no others.
-FindingValues usedOf(const FindingValues& all, const std::vector<FindingsPart>& parts) {
+/// A paragraph uses some of the numbers; formatFindings accepts no others.
+FindingValues selectUsed(const FindingValues& all, const std::vector<FindingsPart>& parts) {
   FindingValues used = FindingValues::object();
   addUsed(all, parts, used);
   return used;
@@ -98,7 +98,7 @@ FindingValues usedOf(const FindingValues& all, const std::vector<FindingsPart>& 
 
 constexpr std::uint64_t kUsualSeed = 1;  // seed in CredibilitySettings
 
-std::string commandOf(const CredibilitySettings& settings) {
+std::string formatCommand(const CredibilitySettings& settings) {
   std::string command = "palpate study credibility";
   if (settings.quick) command += " --quick";
   if (settings.seed != kUsualSeed) command += " --seed " + std::to_string(settings.seed);
@@ -129,7 +129,7 @@ RiskLevel ContextOfUse::risk() const {
   return static_cast<RiskLevel>((static_cast<int>(influence) + static_cast<int>(consequence) + 1) / 2);
 }
 
-std::vector<CredibilityFactor> factorsOf(const std::vector<CredibilitySection>& sections) {
+std::vector<CredibilityFactor> collectFactors(const std::vector<CredibilitySection>& sections) {
   std::vector<CredibilityFactor> factors;
   for (const FactorOfStandard& of_standard : kFactors) {
     CredibilityFactor& factor = factors.emplace_back(CredibilityFactor{std::string(of_standard.name), {}});
@@ -140,8 +140,8 @@ std::vector<CredibilityFactor> factorsOf(const std::vector<CredibilitySection>& 
   return factors;
 }
 
-std::vector<CredibilityLimit> limitsOf(const std::vector<CredibilitySection>& sections,
-                                       const std::vector<CredibilityFactor>& factors) {
+std::vector<CredibilityLimit> collectLimits(const std::vector<CredibilitySection>& sections,
+                                            const std::vector<CredibilityFactor>& factors) {
   std::vector<CredibilityLimit> limits = alwaysMissing();
   for (const OptionalEvidence& optional : kOptional) {
     if (findEvidence(sections, optional.evidence) == nullptr) {
@@ -154,28 +154,29 @@ std::vector<CredibilityLimit> limitsOf(const std::vector<CredibilitySection>& se
   return limits;
 }
 
-std::string findingOf(const Evidence& evidence) {
+std::string formatFinding(const Evidence& evidence) {
   FindingValues values = {{"holds", evidence.holds()}};
   for (const CredibilityNumber& number : evidence.numbers) values[number.name] = number.value;
   values["order_seen"] = values.contains("observed_order");
   if (!values.contains("observed_order")) values["observed_order"] = 0.0;  // for the branch that is not taken
   FindingValues paragraphs;
   for (const FindingsParagraph& paragraph : readFindings(texts::credibility_findings)) {
-    paragraphs[paragraph.name] = paragraph.name == evidence.name ? usedOf(values, paragraph.parts) : FindingValues();
+    paragraphs[paragraph.name] =
+        paragraph.name == evidence.name ? selectUsed(values, paragraph.parts) : FindingValues();
   }
-  return findingsOf(texts::credibility_findings, paragraphs).front();
+  return formatFindings(texts::credibility_findings, paragraphs).front();
 }
 
 CredibilityFile makeCredibility(const CredibilitySettings& settings) {
   const auto start = Clock::now();
   CredibilityFile file{.use = settings.use, .seed = settings.seed, .quick = settings.quick};
   file.sections = {verifyCode(settings), verifyCalculation(settings), validate(settings), propagateSpread(settings)};
-  file.factors = factorsOf(file.sections);
-  file.limits = limitsOf(file.sections, file.factors);
+  file.factors = collectFactors(file.sections);
+  file.limits = collectLimits(file.sections, file.factors);
   const lab::Machine machine = lab::thisMachine();
   file.release = machine.palpate;
-  file.machine = lab::lineOf(machine);
-  file.command = commandOf(settings);
+  file.machine = lab::describeMachine(machine);
+  file.command = formatCommand(settings);
   file.seconds = secondsSince(start);
   return file;
 }

@@ -20,7 +20,7 @@ constexpr const char* kStandard = "ASME V&V 40-2018, in its shape";
 Json evidenceJson(const Evidence& evidence) {
   Json json = {{"name", evidence.name},       {"title", evidence.title},
                {"against", evidence.against}, {"command", evidence.command.empty() ? Json() : Json(evidence.command)},
-               {"holds", evidence.holds()},   {"finding", findingOf(evidence)}};
+               {"holds", evidence.holds()},   {"finding", formatFinding(evidence)}};
   json["numbers"] = Json::object();
   for (const CredibilityNumber& number : evidence.numbers) {
     json["numbers"][number.name] = {{"value", number.value},
@@ -80,7 +80,7 @@ StudyPage sectionPage(const CredibilitySection& section, const CredibilityFile& 
   page.name = section.name;
   page.title = section.title;
   page.question = section.holds() ? "All numbers with a bar are within it." : "A number is BEYOND its bar.";
-  for (const Evidence& evidence : section.evidence) page.findings.push_back(findingOf(evidence));
+  for (const Evidence& evidence : section.evidence) page.findings.push_back(formatFinding(evidence));
   page.tables = {{section.name, "Every number.", numbersTable(section)},
                  {section.name + "_studies", "What it is held against.", studiesTable(section)}};
   page.command = file.command;
@@ -133,7 +133,7 @@ std::string textOf(const CredibilityFile& file) {
   return text;
 }
 
-std::string jsonOf(const CredibilityFile& file) {
+std::string toJson(const CredibilityFile& file) {
   Json json = {{"study", "credibility"},
                {"version", kVersion},
                {"standard", kStandard},
@@ -163,7 +163,7 @@ std::string jsonOf(const CredibilityFile& file) {
   return jsonDump(json, 2) + "\n";
 }
 
-std::string htmlOf(const CredibilityFile& file) {
+std::string toHtml(const CredibilityFile& file) {
   ReportHead head;
   head.title = fmt::format("Credibility of Palpate {}", file.release);
   head.about = file.holds() ? "Every number of this file comes from the run that wrote it, and every bar holds."
@@ -182,9 +182,9 @@ std::string htmlOf(const CredibilityFile& file) {
 void writeCredibility(const CredibilityFile& credibility, const std::filesystem::path& file) {
   const std::string ending = file.extension().string();
   if (ending == ".html") {
-    writeFile(file, htmlOf(credibility));
+    writeFile(file, toHtml(credibility));
   } else if (ending == ".json") {
-    writeFile(file, jsonOf(credibility));
+    writeFile(file, toJson(credibility));
   } else {
     throw Error::inFile(file.string(), "must end in .html or .json");
   }

@@ -51,7 +51,7 @@ Input publishedInput(const std::string& name, std::string_view of) {
 }
 
 /// Fat and thickness over the range of the places in `palpate tissue realism`.
-std::vector<Input> inputsOf() {
+std::vector<Input> uncertainInputs() {
   Input thickness{.name = "thickness", .unit = "mm", .low = 1e9, .usual = kCheckedThicknessMm, .high = 0.0};
   Input fat{.name = "fat", .unit = "mm", .low = 1e9, .usual = kCheckedFatMm, .high = 0.0};
   for (const lab::JudgedPlace& place : lab::placesOfBody()) {
@@ -175,7 +175,7 @@ void addSwings(Evidence& evidence, const std::vector<Input>& inputs, const Modul
 CredibilitySection propagateSpread(const CredibilitySettings& settings) {
   constexpr std::size_t kDraws = 500;
   constexpr std::size_t kQuickDraws = 50;
-  const std::vector<Input> inputs = inputsOf();
+  const std::vector<Input> inputs = uncertainInputs();
   const ModulusEffects effects = modulusEffects(inputs, settings);
   Random random(settings.seed);
   std::vector<double> forces;

@@ -73,10 +73,10 @@ Evidence independentSolver(const CredibilitySettings& settings) {
                     .against = "finite elements of another program (tests/data/golden/fem_profiles.json)",
                     .command = "palpate tissue realism --cases tests/data/golden/fem_profiles.json --json",
                     .numbers = {}};
-  addSpread(evidence, "force", "%", lab::spreadOf(force), kForceBarPercent);
-  addSpread(evidence, "normal", "%", lab::spreadOf(normal), kNormalBarPercent);
-  addSpread(evidence, "vector", "%", lab::spreadOf(vector), kVectorBarPercent);
-  addSpread(evidence, "drag", "%", lab::spreadOf(drag), kDragBarPercent);
+  addSpread(evidence, "force", "%", lab::computeSpread(force), kForceBarPercent);
+  addSpread(evidence, "normal", "%", lab::computeSpread(normal), kNormalBarPercent);
+  addSpread(evidence, "vector", "%", lab::computeSpread(vector), kVectorBarPercent);
+  addSpread(evidence, "drag", "%", lab::computeSpread(drag), kDragBarPercent);
   return evidence;
 }
 
@@ -109,7 +109,7 @@ Evidence measuredEllipses() {
                     .command = "palpate study interpolation --json",
                     .numbers = {{"boundary_rms_mm", errors.rms_mm, "mm", without_map.rms_mm},
                                 {"people_at_one_point_rms_mm", scatter_mm, "mm"}}};
-  addSpread(evidence, "boundary", "mm", lab::spreadOf(errors.each_mm), {});
+  addSpread(evidence, "boundary", "mm", lab::computeSpread(errors.each_mm), {});
   return evidence;
 }
 
@@ -122,7 +122,7 @@ Evidence beef(const CredibilitySettings& settings) {
                     .against = "recordings of dead beef, to which two terms were fitted",
                     .command = "palpate study relaxation --json",
                     .numbers = {}};
-  addSpread(evidence, "lost_force", "%", lab::spreadOf(errors), 100.0 * kBeefBar);
+  addSpread(evidence, "lost_force", "%", lab::computeSpread(errors), 100.0 * kBeefBar);
   return evidence;
 }
 
@@ -141,7 +141,7 @@ Evidence lumpsFoundByPeople(const CredibilitySettings& settings) {
       if (!figure.fitted && std::isfinite(figure.printed)) errors.push_back(std::abs(figure.found - figure.printed));
     }
     const bool later = &group == &found.groups.front();
-    addSpread(evidence, group.name, "points", lab::spreadOf(errors),
+    addSpread(evidence, group.name, "points", lab::computeSpread(errors),
               later ? LumpMeasurement::kLaterBarPoints : LumpMeasurement::k1985BarPoints);
   }
   return evidence;
@@ -167,7 +167,7 @@ Evidence livingLimbs(const CredibilitySettings& settings) {
                     .numbers = {{"people", static_cast<double>(people.size()), ""},
                                 {"stiffness_median_percent", 100.0 * figures.median_error, "%"},
                                 {"bias_percent", 100.0 * figures.bias, "%"}}};
-  addSpread(evidence, "stiffness", "%", lab::spreadOf(errors), {});
+  addSpread(evidence, "stiffness", "%", lab::computeSpread(errors), {});
   return evidence;
 }
 

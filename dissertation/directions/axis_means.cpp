@@ -33,7 +33,7 @@ maps::Ellipse trueEllipse(double direction_deg) {
   return maps::ellipseOf({sum[0] / n, half_difference / n * std::cos(twice), half_difference / n * std::sin(twice)});
 }
 
-maps::MeasuredEllipse rowOf(const maps::Ellipse& ellipse) {
+maps::MeasuredEllipse toMeasuredEllipse(const maps::Ellipse& ellipse) {
   const double major_cm = ellipse.half_major_mm / kMmPerHalfCm;
   return {
       .major_cm = major_cm, .minor_cm = major_cm * ellipse.aspect, .direction_deg = ellipse.direction_rad * kDegPerRad};
@@ -65,7 +65,7 @@ std::vector<maps::MeasuredEllipse> scatteredRows(const AxisScatter& scatter, std
     const double turned = scatter.true_deg + scatter.spread_deg * random.normal();
     maps::LogTensor tensor = maps::logTensor(trueEllipse(turned));
     for (double& part : tensor) part += scatter.radius_noise * random.normal();
-    rows.push_back(rowOf(maps::ellipseOf(tensor)));
+    rows.push_back(toMeasuredEllipse(maps::ellipseOf(tensor)));
   }
   return rows;
 }

@@ -16,7 +16,7 @@ constexpr double kSeenDeg = 1.0;
 // Agreement of subjects, from 0 to 1, below which their mean says little.
 constexpr double kHardlyAgree = 0.5;
 
-const PointMeans& worstOf(const std::vector<PointMeans>& all) {
+const PointMeans& worstMeans(const std::vector<PointMeans>& all) {
   return *std::max_element(all.begin(), all.end(), [](const PointMeans& a, const PointMeans& b) {
     return printedAgainstTensor(a) < printedAgainstTensor(b);
   });
@@ -39,7 +39,7 @@ FindingValues mirroredDirections(const DirectionResults& results) {
 }
 
 FindingValues worstPoint(const DirectionResults& results) {
-  const PointMeans& worst = worstOf(results.means);
+  const PointMeans& worst = worstMeans(results.means);
   return {{"point", worst.point},       {"force", wordFor(worst.force)}, {"printed_deg", worst.deg[0]},
           {"tensor_deg", worst.deg[2]}, {"agreement", worst.resultant},  {"hardly", worst.resultant < kHardlyAgree}};
 }
@@ -71,13 +71,13 @@ double printedAgainstTensor(const PointMeans& means) { return axisDifferenceDeg(
 
 std::vector<std::string> directionFindings(const DirectionResults& results) {
   const auto& [printed, doubled, tensor] = results.flip;
-  return findingsOf(texts::direction_findings,
-                    {{"field", fieldOfDirections(results)},
-                     {"mirror", mirroredDirections(results)},
-                     {"flip", {{"printed_deg", printed}, {"double_deg", doubled}, {"tensor_deg", tensor}}},
-                     {"point", worstPoint(results)},
-                     {"known", knownAxes(results)},
-                     {"noise", noisyRadii(results)}});
+  return formatFindings(texts::direction_findings,
+                        {{"field", fieldOfDirections(results)},
+                         {"mirror", mirroredDirections(results)},
+                         {"flip", {{"printed_deg", printed}, {"double_deg", doubled}, {"tensor_deg", tensor}}},
+                         {"point", worstPoint(results)},
+                         {"known", knownAxes(results)},
+                         {"noise", noisyRadii(results)}});
 }
 
 }  // namespace palpate::study

@@ -141,7 +141,7 @@ Figure fieldFigure(maps::ForceDirection force) {
           .panel_height_px = 390.0};
 }
 
-Series seriesOf(const std::string& name, const AxisCurve& curve, std::size_t mean) {
+Series errorSeries(const std::string& name, const AxisCurve& curve, std::size_t mean) {
   return {.name = name, .x = curve.x, .y = curve.error_deg[mean], .marker = Marker::circle};
 }
 
@@ -154,9 +154,10 @@ Plot errorPlot(const std::string& title, const std::string& label, const std::st
 
 Figure meansFigure(const DirectionResults& results) {
   Plot spread = errorPlot("Five axes that spread", "standard deviation of the angles", "degree");
-  spread.series = {seriesOf("numbers, true axis at 90 degree", results.spread_away, 0),
-                   seriesOf("numbers, true axis at 0 degree", results.spread_seam, 0),
-                   seriesOf("tensor, at 90", results.spread_away, 2), seriesOf("tensor, at 0", results.spread_seam, 2)};
+  spread.series = {errorSeries("numbers, true axis at 90 degree", results.spread_away, 0),
+                   errorSeries("numbers, true axis at 0 degree", results.spread_seam, 0),
+                   errorSeries("tensor, at 90", results.spread_away, 2),
+                   errorSeries("tensor, at 0", results.spread_seam, 2)};
   spread.series[0].colour = spread.series[1].colour = figures::kBlue;
   spread.series[2].colour = spread.series[3].colour = figures::kVermilion;
   spread.series[1].stroke = spread.series[3].stroke = Stroke::dashed;
@@ -165,8 +166,8 @@ Figure meansFigure(const DirectionResults& results) {
   around.x.ticks = {{0, "0"}, {45, "45"}, {90, "90"}, {135, "135"}, {180, "180"}};
   Plot noise = errorPlot("Radii that are measured badly", "noise of the radii", "%");
   for (const std::size_t mean : {0u, 2u, 1u}) {  // the double angle over the tensor: they nearly coincide
-    around.series.push_back(seriesOf(kMeanNames[mean], results.direction, mean));
-    noise.series.push_back(seriesOf(kMeanNames[mean], results.noise, mean));
+    around.series.push_back(errorSeries(kMeanNames[mean], results.direction, mean));
+    noise.series.push_back(errorSeries(kMeanNames[mean], results.noise, mean));
     for (double& x : noise.series.back().x) x *= 100.0;
   }
   for (Plot* plot : {&around, &noise}) {

@@ -26,7 +26,7 @@ std::string number(const ErratumEffect& effect, double value, int digits) {
   return !effect.isMeasured() ? "" : fmt::format("{:.{}f}", value, digits);
 }
 
-std::vector<std::string> cellsOf(const ErratumEffect& effect) {
+std::vector<std::string> rowCells(const ErratumEffect& effect) {
   return {rowName(effect),
           number(effect, effect.look.touching_percent, 1),
           number(effect, effect.look.peak_force_n, 2),
@@ -46,7 +46,7 @@ std::vector<std::string> cellsOf(const ErratumEffect& effect) {
           fmt::format("{}", effect.text.ours)};
 }
 
-Json objectOf(const ErratumEffect& effect) {
+Json toJsonObject(const ErratumEffect& effect) {
   Json json = {{"erratum", rowName(effect)}, {"printed", effect.text.printed}, {"ours", effect.text.ours}};
   if (effect.text.erratum != Erratum::none) json["by_default"] = wordFor(effect.text.by_default);
   if (!effect.isMeasured()) {
@@ -104,9 +104,9 @@ std::string switchText(const scene::ErratumText& erratum) {
   return "";
 }
 
-Json listOf(const std::vector<ErratumEffect>& effects) {
+Json toJsonArray(const std::vector<ErratumEffect>& effects) {
   Json list = Json::array();
-  for (const ErratumEffect& effect : effects) list.push_back(objectOf(effect));
+  for (const ErratumEffect& effect : effects) list.push_back(toJsonObject(effect));
   return list;
 }
 
@@ -117,7 +117,7 @@ TextTable tableOf(const ErrataEffects& effects) {
                    "skin mm", "rms mm", "strain %", "moved x", "other reading", "active", "body and tissue",
                    "by default", "what the engine does"},
                   {}};
-  for (const ErratumEffect* effect : allRows(effects)) table.rows.push_back(cellsOf(*effect));
+  for (const ErratumEffect* effect : allRows(effects)) table.rows.push_back(rowCells(*effect));
   return table;
 }
 
@@ -129,23 +129,23 @@ std::string errataList() {
     table.rows.push_back({scene::nameOf(erratum.erratum), std::string(erratum.printed), std::string(erratum.ours),
                           std::string(wordFor(erratum.by_default)), switchText(erratum)});
   }
-  return markdownOf(table);
+  return toMarkdown(table);
 }
 
 std::string errataText(const ErrataEffects& effects) { return plainText(tableOf(effects)) + "\n" + kLegend; }
 
 std::string errataJson(const ErrataEffects& effects) {
-  const Json json = {{"corrected", listOf(effects.corrected)},
-                     {"all_literal", listOf(effects.all_literal)},
-                     {"errata", listOf(effects.errata)}};
+  const Json json = {{"corrected", toJsonArray(effects.corrected)},
+                     {"all_literal", toJsonArray(effects.all_literal)},
+                     {"errata", toJsonArray(effects.errata)}};
   return jsonDump(json, 2) + "\n";
 }
 
 void writeErrata(const ErrataEffects& effects, const std::filesystem::path& folder) {
   makeFolder(folder);
   const TextTable table = tableOf(effects);
-  writeFile(folder / "errata.md", fmt::format("# What each erratum changes\n\n{}\n{}", kLegend, markdownOf(table)));
-  writeFile(folder / "errata.csv", csvOf(table));
+  writeFile(folder / "errata.md", fmt::format("# What each erratum changes\n\n{}\n{}", kLegend, toMarkdown(table)));
+  writeFile(folder / "errata.csv", toCsv(table));
   writeFile(folder / "errata.json", errataJson(effects));
 }
 

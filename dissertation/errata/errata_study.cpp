@@ -58,7 +58,7 @@ using Base = std::optional<hdb::TreeKind>;
 const std::array<Base, 3> kBases{std::nullopt, hdb::TreeKind::Bsp, hdb::TreeKind::Octree};
 
 /// Where an erratum of the partition acts alone; nothing for the others, which any base shows.
-Base baseOf(Erratum erratum) {
+Base baseFor(Erratum erratum) {
   switch (erratum) {
     case Erratum::E4_else_if:
     case Erratum::E5_cell_box:
@@ -76,21 +76,21 @@ Base baseOf(Erratum erratum) {
 
 /// The errata whose switch has no place under these options. Each tree has one printed search at a time: ELSEIF goes
 /// before the other forms of the BSP tree, the node's box before the sphere of the octree (hdb/literal_traversal.h).
-std::string inertOf(const Base& base) {
+std::string inertErrata(const Base& base) {
   if (!base) return "E4, E5, E6, E7, E10, E11, E12";
   return *base == hdb::TreeKind::Bsp ? "E5, E6, E10, E11" : "E4, E10, E11";
 }
 
-std::string optionsOf(const Base& base) {
+std::string describeBase(const Base& base) {
   if (!base) return "contact.source = \"surface\"";
   return fmt::format("contact.source = \"hdb\", partition.tree = \"{}\", radius_mm = 0", wordFor(*base));
 }
 
 void name(ErratumEffect& effect, const Base& base, const scene::World& world) {
   effect.body = world.body->name;
-  effect.tissue = scene::inWords(world.tissue);
+  effect.tissue = scene::describe(world.tissue);
   effect.base = base ? wordFor(*base) : wordFor(scene::ContactSource::surface);
-  effect.active = optionsOf(base);
+  effect.active = describeBase(base);
 }
 
 /// Reference for a reading: the scene corrected, in the tissue that the errata are about, and for the partition with
@@ -114,7 +114,7 @@ struct Track {
   std::size_t ticks() const { return fingers == 0 ? 0 : outputs.size() / fingers; }
 };
 
-Track trackOf(const scene::Scene& scene) {
+Track recordTrack(const scene::Scene& scene) {
   Track track;
   track.world = scene::build(scene);
   track.fingers = scene.fingers.size();
@@ -162,7 +162,7 @@ double dragOf(const scene::World& world, const contact::FingerOutput& finger) {
   return deform::cappedLength(tissue.f_adj * along_the_skin, tissue.tangential_cap_mm).norm();
 }
 
-RunLook lookOf(const Track& track) {
+RunLook summariseRun(const Track& track) {
   RunLook look;
   double touching = 0.0;
   for (const contact::FingerOutput& finger : track.outputs) {
@@ -226,7 +226,7 @@ void compareSkins(const deform::DeformedSurface& a, const deform::DeformedSurfac
 
 ErratumEffect compared(const Track& ours, const Track& theirs) {
   ErratumEffect effect;
-  effect.look = lookOf(theirs);
+  effect.look = summariseRun(theirs);
   compareFingers(ours, theirs, effect);
   compareBoxes(ours, theirs, effect);
   Pictures our_pictures(ours);
@@ -247,7 +247,7 @@ class Baselines {
   explicit Baselines(const scene::Scene& scene) : scene_(scene) {}
   const Track& track(const Base& base) {
     Track& track = tracks_[base ? 1 + static_cast<std::size_t>(*base) : 0];
-    if (!track.world) track = trackOf(corrected(scene_, base));
+    if (!track.world) track = recordTrack(corrected(scene_, base));
     return track;
   }
 
@@ -256,29 +256,29 @@ class Baselines {
   std::array<Track, kBases.size()> tracks_;
 };
 
-ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const Base& base, const Reading& reading) {
+ErratumEffect measureEffect(const scene::Scene& scene, Baselines& baselines, const Base& base, const Reading& reading) {
   scene::Scene other = corrected(scene, base);
   reading.apply(other);
-  const Track theirs = trackOf(other);
+  const Track theirs = recordTrack(other);
   ErratumEffect effect = compared(baselines.track(base), theirs);
   effect.reading = reading.words;
   name(effect, base, *theirs.world);
   return effect;
 }
 
-Reading switchOf(Erratum erratum) {
+Reading literalReading(Erratum erratum) {
   return {erratum, "", [erratum](scene::Scene& s) { s.fidelity.setLiteral(erratum); }};
 }
 
-ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const scene::ErratumText& text) {
+ErratumEffect measureEffect(const scene::Scene& scene, Baselines& baselines, const scene::ErratumText& text) {
   ErratumEffect effect;
-  const Base base = baseOf(text.erratum);
+  const Base base = baseFor(text.erratum);
   if (text.form == scene::LiteralForm::switchable) {
-    effect = effectOf(scene, baselines, base, switchOf(text.erratum));
+    effect = measureEffect(scene, baselines, base, literalReading(text.erratum));
     effect.reading = fmt::format("fidelity.{} = \"literal\"", scene::nameOf(text.erratum));
   }
   for (const Reading& reading : settingReadings()) {
-    if (reading.erratum == text.erratum) effect = effectOf(scene, baselines, base, reading);
+    if (reading.erratum == text.erratum) effect = measureEffect(scene, baselines, base, reading);
   }
   effect.text = text;
   return effect;
@@ -286,7 +286,7 @@ ErratumEffect effectOf(const scene::Scene& scene, Baselines& baselines, const sc
 
 ErratumEffect effectOfNone(Baselines& baselines, const Base& base) {
   ErratumEffect effect;
-  effect.look = lookOf(baselines.track(base));
+  effect.look = summariseRun(baselines.track(base));
   effect.reading = "fidelity = \"corrected\"";
   name(effect, base, *baselines.track(base).world);
   effect.text.ours = "what the rows below with these options are compared with";
@@ -295,9 +295,9 @@ ErratumEffect effectOfNone(Baselines& baselines, const Base& base) {
 
 ErratumEffect effectOfAll(const scene::Scene& scene, Baselines& baselines, const Base& base) {
   const Reading all{Erratum::none, "fidelity = \"literal\"", [](scene::Scene& s) { s.fidelity.setAll(true); }};
-  ErratumEffect effect = effectOf(scene, baselines, base, all);
+  ErratumEffect effect = measureEffect(scene, baselines, base, all);
   effect.text.ours = "all switches together";
-  effect.inert = inertOf(base);
+  effect.inert = inertErrata(base);
   return effect;
 }
 
@@ -312,7 +312,7 @@ ErrataEffects studyErrata(const scene::Scene& scene, const Progress& progress) {
     effects.all_literal.push_back(effectOfAll(scene, baselines, base));
   }
   for (const scene::ErratumText& text : scene::errata()) {
-    effects.errata.push_back(effectOf(scene, baselines, text));
+    effects.errata.push_back(measureEffect(scene, baselines, text));
     report(progress, "measuring errata", static_cast<double>(numberOf(text.erratum)) / kErrata);
   }
   return effects;

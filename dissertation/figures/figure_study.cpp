@@ -63,7 +63,7 @@ void writeFigures(const std::vector<DissertationFigure>& chosen, const std::file
     const std::string stem = fileStem(entry);
     figures::writePng(figure, folder / (stem + ".png"), png_scale);
     figures::writeSvg(figure, folder / (stem + ".svg"));
-    const std::string csv = csvOf(figure);
+    const std::string csv = toCsv(figure);
     if (!csv.empty()) writeFile(folder / (stem + ".csv"), csv);
     index += indexEntry(entry, !csv.empty());
     done += 1.0;

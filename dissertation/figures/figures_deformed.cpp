@@ -69,7 +69,7 @@ MeshView patchView(const std::string& title, const std::vector<Vec3>& positions,
 }
 
 // Drops the vertices that no triangle uses, so that the view is fitted to the patch.
-void keepUsedVertices(MeshView& view) {
+void dropUnusedVertices(MeshView& view) {
   std::vector<Index> renumbered(view.positions.size(), kNoIndex);
   std::vector<Vec3> kept;
   for (Triangle& triangle : view.triangles) {
@@ -101,7 +101,7 @@ Figure figure412() {
   MeshView rest = patchView("At rest", back.positions, back, contact.anchor.head<2>(), 85.0);
   MeshView dragged = patchView(fmt::format("Dragged {:.0f} mm by friction", contact.drag_mm.norm()), skin.positions,
                                back, contact.anchor.head<2>(), 85.0);
-  for (MeshView* view : {&rest, &dragged}) keepUsedVertices(*view);
+  for (MeshView* view : {&rest, &dragged}) dropUnusedVertices(*view);
   return {.panels = {rest, dragged}, .columns = 2, .panel_width_px = 420.0, .panel_height_px = 460.0};
 }
 
@@ -162,7 +162,7 @@ Figure figure416() {
                                            : std::string("Pressed 10 mm"),
                                 back, pressed(back, contact));
     paintGrid(view, back);
-    keepUsedVertices(view);
+    dropUnusedVertices(view);
     addHand(view, contact, Vec3::UnitY());
     figure.panels.emplace_back(view);
   }
@@ -266,7 +266,7 @@ MeshView strainView(const std::string& title, const mesh::TriangleMesh& back, de
   }
   view.colour_key =
       figures::ColourKey{.label = "strain", .unit = "%", .from = -20.0, .to = 20.0, .colours = ColourMap::cool_warm};
-  keepUsedVertices(view);
+  dropUnusedVertices(view);
   return view;
 }
 

@@ -38,7 +38,7 @@ Figure figure31() {
   return {.panels = {rates, times}, .columns = 2};
 }
 
-Series timesOf(const std::string& name, const std::vector<PrintedTiming>& timings, Marker marker) {
+Series makeTimingSeries(const std::string& name, const std::vector<PrintedTiming>& timings, Marker marker) {
   Series series{.name = name, .stroke = figures::Stroke::dashed, .marker = marker};
   for (const PrintedTiming& timing : timings) {
     series.x.push_back(timing.triangles);
@@ -47,8 +47,8 @@ Series timesOf(const std::string& name, const std::vector<PrintedTiming>& timing
   return series;
 }
 
-Series ratesOf(const std::string& name, const std::vector<PrintedTiming>& timings, Marker marker) {
-  Series series = timesOf(name, timings, marker);
+Series rateSeries(const std::string& name, const std::vector<PrintedTiming>& timings, Marker marker) {
+  Series series = makeTimingSeries(name, timings, marker);
   for (double& y : series.y) y = 1000.0 / y;
   return series;
 }
@@ -56,21 +56,21 @@ Series ratesOf(const std::string& name, const std::vector<PrintedTiming>& timing
 Figure figure310() {
   const PrintedTimings table = printedNumbers().table_3_2;
   Plot times = ratePlot("Time against triangles rendered", "time", "ms");
-  times.series = {timesOf("drawing", table.drawing, Marker::circle),
-                  timesOf("untouched", table.untouched, Marker::square),
-                  timesOf("touched", table.touched, Marker::triangle)};
+  times.series = {makeTimingSeries("drawing", table.drawing, Marker::circle),
+                  makeTimingSeries("untouched", table.untouched, Marker::square),
+                  makeTimingSeries("touched", table.touched, Marker::triangle)};
   Plot rates = ratePlot("Rate against triangles rendered", "rate", "FPS");
-  rates.series = {ratesOf("drawing", table.drawing, Marker::circle),
-                  ratesOf("untouched", table.untouched, Marker::square),
-                  ratesOf("touched", table.touched, Marker::triangle)};
+  rates.series = {rateSeries("drawing", table.drawing, Marker::circle),
+                  rateSeries("untouched", table.untouched, Marker::square),
+                  rateSeries("touched", table.touched, Marker::triangle)};
   return {.panels = {times, rates}, .columns = 2};
 }
 
 Figure treesCompared(const std::string& what, std::vector<PrintedTiming> PrintedTimings::*column) {
   const PrintedNumbers printed = printedNumbers();
   Plot plot = ratePlot("Haptic process on 41,582 triangles: " + what, "time", "ms");
-  plot.series = {timesOf("BSP tree (printed)", printed.table_3_2.*column, Marker::circle),
-                 timesOf("octree (printed)", printed.appendix_b.*column, Marker::square)};
+  plot.series = {makeTimingSeries("BSP tree (printed)", printed.table_3_2.*column, Marker::circle),
+                 makeTimingSeries("octree (printed)", printed.appendix_b.*column, Marker::square)};
   return {.panels = {plot}};
 }
 

@@ -38,7 +38,7 @@ MeshView dome() {
   return view;
 }
 
-std::vector<std::array<Vec3, 2>> loopOf(const std::vector<Vec2>& outline) {
+std::vector<std::array<Vec3, 2>> loopSegments(const std::vector<Vec2>& outline) {
   std::vector<std::array<Vec3, 2>> loop;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2& a = outline[i];
@@ -58,7 +58,7 @@ Figure figure413() {
   const Vec3 d = maps::projectedOnPlane(j, Vec3::Zero(), Vec3::UnitZ());
   view.sheets.push_back({Vec3(-45, -32, 0), Vec3(90, 0, 0), Vec3(0, 64, 0), figures::withAlpha(figures::kSky, 0.3)});
   view.lines.push_back({.name = "ellipse in the tangent plane",
-                        .segments = loopOf(figures::ellipseOutline({0, 0}, 40, 26, 0.0)),
+                        .segments = loopSegments(figures::ellipseOutline({0, 0}, 40, 26, 0.0)),
                         .colour = figures::kVermilion,
                         .width_px = 1.8});
   view.lines.push_back(

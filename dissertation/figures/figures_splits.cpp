@@ -68,7 +68,7 @@ hdb::Partition splitOnce(const mesh::TriangleMesh& patch, hdb::Assignment assign
 }
 
 // Number of children that each triangle belongs to.
-std::vector<int> ownersOf(const hdb::Partition& tree) {
+std::vector<int> countOwners(const hdb::Partition& tree) {
   std::vector<int> owners(tree.triangle_count, 0);
   for (const Index triangle : tree.triangles) ++owners[triangle];
   return owners;
@@ -76,7 +76,7 @@ std::vector<int> ownersOf(const hdb::Partition& tree) {
 
 // The triangles (with the cut, the pieces) of both children, and those that both own.
 std::vector<Shape> childShapes(const mesh::TriangleMesh& patch, const hdb::Partition& tree) {
-  const std::vector<int> owners = ownersOf(tree);
+  const std::vector<int> owners = countOwners(tree);
   const bool cut = tree.assignment == hdb::Assignment::Cut;
   std::vector<Shape> shapes{shapeOf("child 1", kFirst), shapeOf("child 2", kSecond), shapeOf("both children", kBoth)};
   for (const Index leaf : tree.leaves) {

@@ -84,7 +84,7 @@ std::vector<figures::Colour> hapticColours(const hdb::Partition& tree, const hdb
 
 const Vec3 kFromBelow(0.55, -0.75, 0.9);  // view of the back: its relief and the planes are seen
 
-MeshView viewOf(const mesh::TriangleMesh& mesh, const std::string& title) {
+MeshView makeMeshView(const mesh::TriangleMesh& mesh, const std::string& title) {
   MeshView view{.title = title};
   view.positions = mesh.positions;
   view.triangles = mesh.triangles;
@@ -96,7 +96,7 @@ Figure figure34() {
   const hdb::Partition tree = grownTree(back, TreeKind::Bsp, 64);
   Figure figure{.columns = 3, .panel_width_px = 330.0, .panel_height_px = 340.0};
   for (int levels = 1; levels <= 3; ++levels) {
-    MeshView view = viewOf(back, fmt::format("Level {}", levels));
+    MeshView view = makeMeshView(back, fmt::format("Level {}", levels));
     view.towards_viewer = kFromBelow;
     view.sheets = splittingSheets(tree, levels);
     view.lines.push_back({.segments = figures::boxEdges(tree.bounds), .colour = figures::kBlue});
@@ -108,11 +108,11 @@ Figure figure34() {
 Figure figure36() {
   const mesh::TriangleMesh back = backModel();
   const hdb::Partition tree = grownTree(back, TreeKind::Bsp, 256);
-  MeshView planes = viewOf(back, "Splitting planes");
+  MeshView planes = makeMeshView(back, "Splitting planes");
   planes.towards_viewer = kFromBelow;
   planes.sheets = splittingSheets(tree, 100);
   planes.legend = {{"x", {0.10, 0.65, 0.25, 0.7}}, {"y", {0.85, 0.15, 0.15, 0.7}}, {"z", {0.95, 0.80, 0.10, 0.8}}};
-  MeshView boxes = viewOf(back, fmt::format("{} leaves", tree.leaves.size()));
+  MeshView boxes = makeMeshView(back, fmt::format("{} leaves", tree.leaves.size()));
   boxes.towards_viewer = kFromBelow;
   boxes.lines.push_back({.name = "leaf boxes", .segments = leafBoxes(tree), .colour = figures::kBlue});
   return {.panels = {planes, boxes}, .columns = 2, .panel_width_px = 460.0, .panel_height_px = 440.0};
@@ -122,7 +122,7 @@ Figure figure36() {
 MeshView hapticView(const mesh::TriangleMesh& mesh, const hdb::Partition& tree, const hdb::LeafHits& hits,
                     const Vec3& proxy) {
   MeshView view =
-      viewOf(mesh, fmt::format("{} of {} triangles", hdb::entriesIn(tree, hits.leaves), mesh.triangles.size()));
+      makeMeshView(mesh, fmt::format("{} of {} triangles", hdb::entriesIn(tree, hits.leaves), mesh.triangles.size()));
   view.colours = hapticColours(tree, hits);
   const Box3 box = hdb::hapticBox(proxy, hdb::hdbEdges(tree.bounds));
   view.lines.push_back({.segments = figures::boxEdges(box), .colour = figures::kBlue});
@@ -188,11 +188,11 @@ Figure figure313() {
   const hdb::Partition hand_tree = grownTree(hand, TreeKind::Octree, 256);
   const hdb::Partition back_tree = grownTree(back, TreeKind::Octree, 1024);
   MeshView left =
-      viewOf(hand, fmt::format("Hand: {} triangles, {} leaves", hand.triangles.size(), hand_tree.leaves.size()));
+      makeMeshView(hand, fmt::format("Hand: {} triangles, {} leaves", hand.triangles.size(), hand_tree.leaves.size()));
   left.towards_viewer = Vec3(0.7, -0.6, 0.8);
   left.lines.push_back({.name = "leaf boxes", .segments = leafBoxes(hand_tree), .colour = figures::kBlue});
   MeshView right =
-      viewOf(back, fmt::format("Back: {} triangles, {} leaves", back.triangles.size(), back_tree.leaves.size()));
+      makeMeshView(back, fmt::format("Back: {} triangles, {} leaves", back.triangles.size(), back_tree.leaves.size()));
   right.towards_viewer = kFromBelow;
   right.lines.push_back({.name = "leaf boxes", .segments = leafBoxes(back_tree), .colour = figures::kBlue});
   return {.panels = {left, right}, .columns = 2, .panel_width_px = 460.0, .panel_height_px = 460.0};

@@ -30,8 +30,8 @@ figures::Axis throughAxis() {
 
 /// A curve for each of the values through the places of the rows that have it, with markers in turn.
 template <class Value, class Row, class Name, class Place>
-std::vector<Series> curvesOf(const std::vector<Value>& values, Value Row::*member, const std::vector<Row>& rows,
-                             const Name& name, const Place& place) {
+std::vector<Series> makeCurves(const std::vector<Value>& values, Value Row::*member, const std::vector<Row>& rows,
+                               const Name& name, const Place& place) {
   std::vector<Series> curves;
   for (const Value value : values) {
     const Marker marker = kCurveMarkers[curves.size() % std::size(kCurveMarkers)];
@@ -91,8 +91,8 @@ Plot puncturesPlot(const HdbMeasurement& found, const std::vector<PunctureRow>& 
             .to = 200.0,
             .ticks = ticksAt({2, 5, 10, 20, 50, 100, 200})};
   plot.y = throughAxis();
-  plot.series = curvesOf(found.plan.speeds_mm_s, &PunctureRow::speed_mm_s, rows, speedName,
-                         [](const PunctureRow& row) { return Vec2(row.edge_mm, 100.0 * row.punctured); });
+  plot.series = makeCurves(found.plan.speeds_mm_s, &PunctureRow::speed_mm_s, rows, speedName,
+                           [](const PunctureRow& row) { return Vec2(row.edge_mm, 100.0 * row.punctured); });
   plot.shapes = {verticalLine("1/10", kTenth * found.longest_edge, 0.0, 100.0),
                  verticalLine("1/4 of the model", kPrintedBoxShare * found.longest_edge, 0.0, 100.0)};
   plot.shapes.front().stroke = figures::Stroke::dashed;
@@ -107,7 +107,7 @@ Plot leadPlot(const HdbMeasurement& found) {
             .to = 4.0,
             .ticks = {{0.25, "0.25"}, {0.5, "0.5"}, {1.0, "1"}, {2.0, "2"}, {4.0, "4"}}};
   plot.y = throughAxis();
-  plot.series = curvesOf(
+  plot.series = makeCurves(
       found.plan.delays_ticks, &PunctureRow::delay_ticks, found.leads,
       [](int delay) { return fmt::format("box follows every {} ms", delay); },
       [](const PunctureRow& row) { return Vec2(row.lead(), 100.0 * row.punctured); });
@@ -120,7 +120,7 @@ Plot recommendedPlot(const HdbMeasurement& found) {
   Plot plot{.title = "Triangles in the box that the rule asks for"};
   plot.x = {.label = "speed of the finger", .unit = "m/s", .scale = Scale::logarithmic, .from = 0.1, .to = 2.0};
   plot.y = {.label = "triangles", .scale = Scale::logarithmic};
-  plot.series = curvesOf(
+  plot.series = makeCurves(
       found.plan.delays_ticks, &PunctureRow::delay_ticks, found.recommended,
       [](int delay) { return fmt::format("rule, {} ms", delay); },
       [](const PunctureRow& row) { return Vec2(metresPerSecond(row.speed_mm_s), row.triangles); });
@@ -140,7 +140,7 @@ Plot marginPlot(const HdbMeasurement& found) {
   Plot plot{.title = "Edge = 2 (speed x delay + margin)"};
   plot.x = {.label = "margin / depth of the finger", .from = 0.0, .to = 1.0};
   plot.y = throughAxis();
-  plot.series = curvesOf(
+  plot.series = makeCurves(
       found.plan.depths_mm, &MarginRow::depth_mm, found.margins,
       [](double depth) { return fmt::format("{:g} mm deep", depth); },
       [](const MarginRow& row) { return Vec2(row.share, 100.0 * row.punctured); });

@@ -25,7 +25,7 @@ Extent printedDelays() {
   return {1e-3 * parsePrinted(rows.front().ms).value, 1e-3 * parsePrinted(rows.back().ms).value};
 }
 
-FindingValues strokesOf(double share) {
+FindingValues shareValues(double share) {
   return {{"amount", share == 0.0 ? "none" : share == 1.0 ? "all" : "some"}, {"share", share}};
 }
 
@@ -37,7 +37,7 @@ FindingValues ruleOfTheEdge(const HdbMeasurement& found) {
           {"all_strokes", static_cast<std::size_t>(found.plan.strokes) * cells},
           {"strokes", found.plan.strokes},
           {"models", {found.plan.triangles, found.plan.fine_triangles}},
-          {"worst", strokesOf(worst)},
+          {"worst", shareValues(worst)},
           {"m_per_s", metresPerSecond(usual.speed_mm_s)},
           {"delay_ms", usual.delay_ticks},
           {"edge_mm", usual.edge_mm},
@@ -55,7 +55,7 @@ FindingValues marginOfDepth(const HdbMeasurement& found) {
           {"share", margin},
           {"depths_mm", {found.plan.depths_mm.front(), found.plan.depths_mm.back()}},
           {"e12_fails", e12 > 0.0},
-          {"e12", strokesOf(e12)},
+          {"e12", shareValues(e12)},
           {"model", found.plan.fine_triangles},
           {"longest_edge_mm", found.fine_triangle_edge}};
 }
@@ -63,8 +63,8 @@ FindingValues marginOfDepth(const HdbMeasurement& found) {
 FindingValues leadOfTheBox(const HdbMeasurement& found) {
   const double below = leastPunctured(found.leads, kTooSmall);
   const double above = mostPunctured(found.leads, kLargeEnough);
-  return {{"decides", below > 0.5 && above < 0.5}, {"too_small", kTooSmall},    {"below", strokesOf(below)},
-          {"large_enough", kLargeEnough},          {"above", strokesOf(above)}, {"some_above", above > 0.0}};
+  return {{"decides", below > 0.5 && above < 0.5}, {"too_small", kTooSmall},      {"below", shareValues(below)},
+          {"large_enough", kLargeEnough},          {"above", shareValues(above)}, {"some_above", above > 0.0}};
 }
 
 FindingValues quarterOfTheModel(const HdbMeasurement& found) {
@@ -128,15 +128,15 @@ FindingValues listsOfTheBox(const HdbMeasurement& found) {
   const ListCosts& costs = found.lists;
   if (costs.models.empty()) return {};
   const std::size_t model = costs.models.back();
-  const ListRow& leaves = *rowOf(costs, model, hdb::HdbQuery::leaves);
-  const ListRow& exact = *rowOf(costs, model, hdb::HdbQuery::triangles);
-  const ListRow& coherent = *rowOf(costs, model, hdb::HdbQuery::coherent);
-  const ListRow& linked = *rowOf(costs, model, hdb::HdbQuery::linked);
+  const ListRow& leaves = *costRow(costs, model, hdb::HdbQuery::leaves);
+  const ListRow& exact = *costRow(costs, model, hdb::HdbQuery::triangles);
+  const ListRow& coherent = *costRow(costs, model, hdb::HdbQuery::coherent);
+  const ListRow& linked = *costRow(costs, model, hdb::HdbQuery::linked);
   FindingValues to_coherent = FindingValues::array();
   std::vector<double> ratios;
   for (const std::size_t other : costs.models) {
-    ratios.push_back(rowOf(costs, other, hdb::HdbQuery::linked)->tick_us /
-                     rowOf(costs, other, hdb::HdbQuery::coherent)->tick_us);
+    ratios.push_back(costRow(costs, other, hdb::HdbQuery::linked)->tick_us /
+                     costRow(costs, other, hdb::HdbQuery::coherent)->tick_us);
     to_coherent.push_back({{"times", ratios.back()}, {"model", other}});
   }
   return {{"same", std::all_of(costs.rows.begin(), costs.rows.end(), [](const ListRow& row) { return row.same; })},
@@ -198,15 +198,16 @@ double safeMargin(const HdbMeasurement& found) {
 
 std::vector<std::string> hdbFindings(const HdbMeasurement& found) {
   const double through = found.else_if_punctured;
-  return findingsOf(texts::hdb_findings,
-                    {{"rule", ruleOfTheEdge(found)},
-                     {"margin", marginOfDepth(found)},
-                     {"lead", leadOfTheBox(found)},
-                     {"quarter", quarterOfTheModel(found)},
-                     {"cost", costOfAQuarter(found)},
-                     {"leaves", {{"hidden", hiddenByLeaves(found)}}},
-                     {"else_if", {{"through", through != 0.0}, {"least", strokesOf(through)}, {"some", through < 1.0}}},
-                     {"list", listsOfTheBox(found)}});
+  return formatFindings(
+      texts::hdb_findings,
+      {{"rule", ruleOfTheEdge(found)},
+       {"margin", marginOfDepth(found)},
+       {"lead", leadOfTheBox(found)},
+       {"quarter", quarterOfTheModel(found)},
+       {"cost", costOfAQuarter(found)},
+       {"leaves", {{"hidden", hiddenByLeaves(found)}}},
+       {"else_if", {{"through", through != 0.0}, {"least", shareValues(through)}, {"some", through < 1.0}}},
+       {"list", listsOfTheBox(found)}});
 }
 
 }  // namespace palpate::study

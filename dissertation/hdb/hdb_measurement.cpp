@@ -98,7 +98,7 @@ constexpr std::uint64_t kUnseenSeed = 77;
 constexpr std::uint64_t kMarginSeed = 5;
 constexpr double kSlideMm = 160.0;
 
-SharedPartition treeOf(const mesh::TriangleMesh& mesh, TreeKind tree) {
+SharedPartition makePartition(const mesh::TriangleMesh& mesh, TreeKind tree) {
   return std::make_shared<const hdb::Partition>(hdb::buildPartition(mesh, {.tree = tree, .threshold = 1024}));
 }
 
@@ -125,7 +125,7 @@ struct Strokes {
 
 std::vector<HdbSizeRow> sizeRows(const HdbPlan& plan, const HapticModel& model, const SharedPartition& octree,
                                  const Progress& progress) {
-  const SharedPartition bsp = treeOf(model.mesh, TreeKind::Bsp);
+  const SharedPartition bsp = makePartition(model.mesh, TreeKind::Bsp);
   std::vector<HdbSizeRow> rows;
   for (const double share : plan.shares) {
     report(progress, "hdb: sizes of the box", 0.15 * static_cast<double>(rows.size()) / plan.shares.size());
@@ -167,7 +167,7 @@ void visitMotions(const HdbPlan& plan, Visit&& visit) {
   }
 }
 
-double wayOf(double speed, int delay) { return 1e-3 * speed * delay; }
+double distanceTravelled(double speed, int delay) { return 1e-3 * speed * delay; }
 
 std::vector<PunctureRow> leadRows(const Strokes& strokes, const Progress& progress) {
   std::vector<PunctureRow> rows;
@@ -175,7 +175,7 @@ std::vector<PunctureRow> leadRows(const Strokes& strokes, const Progress& progre
     report(progress, "hdb: punctures against the way of the finger", 0.65 + 0.0005 * static_cast<double>(rows.size()));
     const auto ways = strokes.at(speed);
     for (const double lead : kLeads) {
-      const double edge = 2.0 * lead * wayOf(speed, delay);
+      const double edge = 2.0 * lead * distanceTravelled(speed, delay);
       rows.push_back(strokes.run(ways, {.edge_mm = edge, .speed_mm_s = speed, .delay_ticks = delay}));
     }
   });
@@ -192,7 +192,7 @@ MarginRow marginRow(const Strokes& strokes, double depth, double share) {
                                      .depth_mm = depth,
                                      .slide_mm = kSlideMm,
                                      .seed = kMarginSeed});
-    const double edge = 2.0 * (wayOf(speed, delay) + share * depth);
+    const double edge = 2.0 * (distanceTravelled(speed, delay) + share * depth);
     punctured += strokes.run(ways, {.edge_mm = edge, .speed_mm_s = speed, .delay_ticks = delay}).punctured;
     motions += 1.0;
   });
@@ -226,7 +226,7 @@ void measureFineModel(const HdbPlan& plan, const Progress& progress, HdbMeasurem
   report(progress, "hdb: building the fine model", 0.9);
   const mesh::TriangleMesh mesh = lab::backMesh(plan.fine_triangles);
   const contact::Surface surface = contactSurface(mesh);
-  const Strokes strokes{plan, surface, treeOf(mesh, TreeKind::Octree)};
+  const Strokes strokes{plan, surface, makePartition(mesh, TreeKind::Octree)};
   found.fine_triangle_edge = longestTriangleEdge(mesh);
   found.fine_e12 = ruleRows(strokes, found.fine_triangle_edge, progress, 0.93);
   found.fine_recommended = ruleRows(strokes, found.depth_mm, progress, 0.96);
@@ -234,7 +234,7 @@ void measureFineModel(const HdbPlan& plan, const Progress& progress, HdbMeasurem
 
 // The pseudocode of 3.3.3 with a box that follows at every tick.
 double elseIfPunctures(const Strokes& strokes, const HapticModel& model) {
-  const SharedPartition bsp = treeOf(model.mesh, TreeKind::Bsp);
+  const SharedPartition bsp = makePartition(model.mesh, TreeKind::Bsp);
   const auto ways = strokes.at(200.0);
   double least = 1.0;
   for (const double share : kElseIfShares) {
@@ -281,7 +281,7 @@ HdbMeasurement measureHdbSizes(const HdbPlan& plan, const Progress& progress) {
   report(progress, "hdb: building the model", 0.0);
   const HapticModel model = hapticModel(plan.triangles, plan.places);
   const contact::Surface surface = contactSurface(model.mesh);
-  const SharedPartition octree = treeOf(model.mesh, TreeKind::Octree);
+  const SharedPartition octree = makePartition(model.mesh, TreeKind::Octree);
   const Strokes strokes{plan, surface, octree};
   HdbMeasurement found{.plan = plan};
   found.longest_edge = model.longest_edge;

@@ -88,7 +88,7 @@ TextTable listTable(const ListCosts& costs) {
   return table;
 }
 
-std::vector<StudyTable> tablesOf(const HdbMeasurement& found) {
+std::vector<StudyTable> makeTables(const HdbMeasurement& found) {
   std::vector<PunctureRow> all = found.punctures;
   all.insert(all.end(), found.leaf_punctures.begin(), found.leaf_punctures.end());
   all.insert(all.end(), found.leads.begin(), found.leads.end());
@@ -102,7 +102,7 @@ std::vector<StudyTable> tablesOf(const HdbMeasurement& found) {
           {"hdb_punctures_table", "Every run of strokes.", punctureTable(all), false}};
 }
 
-std::vector<std::string> methodOf(const HdbMeasurement& found) {
+std::vector<std::string> describeMethod(const HdbMeasurement& found) {
   return {
       fmt::format(
           "Model: the benchmark's back with {} triangles, 350 x 400 mm; box shares are of its longest edge, {} mm. "
@@ -154,8 +154,8 @@ StudyPage studyHdb(const StudySettings& settings) {
               "dissertation settles on a quarter of the model \"after several experiments\" (3.3.3). Is that right, "
               "and what should replace the guess (E12)?",
           .findings = hdbFindings(found),
-          .method = methodOf(found),
-          .tables = tablesOf(found),
+          .method = describeMethod(found),
+          .tables = makeTables(found),
           .figures = hdbFigures(found),
           .numbers = numbersOf(found)};
 }

@@ -157,7 +157,7 @@ figures::Shape ellipseGlyphs(const TensorField& field) {
   return glyphs;
 }
 
-TensorField griOf(maps::ForceDirection force) {
+TensorField meanGriField(maps::ForceDirection force) {
   return *fieldThrough(meanSet(force), Interpolator::gri, maps::EllipseMapSettings{}.effect_radius_mm);
 }
 
@@ -217,8 +217,8 @@ Figure backByInterpolator(double step_mm) {
 }
 
 Figure upAndDown(double step_mm) {
-  const TensorField up = griOf(maps::ForceDirection::up);
-  const TensorField down = griOf(maps::ForceDirection::down);
+  const TensorField up = meanGriField(maps::ForceDirection::up);
+  const TensorField down = meanGriField(maps::ForceDirection::down);
   Plot up_map = halfMajorMap("Dragged up, five subjects", up, step_mm);
   Plot down_map = halfMajorMap("Dragged down, three subjects", down, step_mm);
   up_map.shapes.push_back(ellipseGlyphs(up));

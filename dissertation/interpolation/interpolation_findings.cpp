@@ -93,13 +93,13 @@ double bestRadius(const InterpolationResults& results) {
 std::vector<std::string> interpolationFindings(const InterpolationResults& results) {
   const LeftOutErrors& quadratic = results.subjects[5];
   const auto cases = quadratic.undetermined + quadratic.predicted;
-  return findingsOf(texts::interpolation_findings,
-                    {{"diameter", radiusOrDiameter(results)},
-                     {"predicted", predictedPlaces(results)},
-                     {"accuracy", accuracyOfInterpolation(results)},
-                     {"quadratic", {{"undetermined", quadratic.undetermined}, {"cases", cases}}},
-                     {"width", effectOfWidth(results)},
-                     {"up_down", upAgainstDown(results)}});
+  return formatFindings(texts::interpolation_findings,
+                        {{"diameter", radiusOrDiameter(results)},
+                         {"predicted", predictedPlaces(results)},
+                         {"accuracy", accuracyOfInterpolation(results)},
+                         {"quadratic", {{"undetermined", quadratic.undetermined}, {"cases", cases}}},
+                         {"width", effectOfWidth(results)},
+                         {"up_down", upAgainstDown(results)}});
 }
 
 }  // namespace palpate::study

@@ -19,7 +19,7 @@ namespace {
 
 using maps::ForceDirection;
 
-InterpolatorErrors errorsOf(const std::vector<TensorSet>& sets) {
+InterpolatorErrors errorsByInterpolator(const std::vector<TensorSet>& sets) {
   InterpolatorErrors errors;
   for (std::size_t i = 0; i < kInterpolators.size(); ++i) {
     errors[i] = leftOutErrors(sets, kInterpolators[i], kEffectRadius);
@@ -101,8 +101,8 @@ void sweepRadii(bool quick, InterpolationResults& results) {
 InterpolationResults measuredResults(const StudySettings& settings) {
   InterpolationResults results;
   report(settings.progress, "leaving points out", 0.1);
-  results.means = errorsOf({meanSet(ForceDirection::up), meanSet(ForceDirection::down)});
-  results.subjects = errorsOf(allSubjects());
+  results.means = errorsByInterpolator({meanSet(ForceDirection::up), meanSet(ForceDirection::down)});
+  results.subjects = errorsByInterpolator(allSubjects());
   results.scatter_mm = scatter();
   results.expected_up_down_mm = expectedUpDown();
   results.measured_mm = measuredRange();
@@ -177,7 +177,7 @@ Plot widthPlot(const InterpolationResults& results) {
   return plot;
 }
 
-std::vector<StudyFigure> figuresOf(const InterpolationResults& results, bool quick) {
+std::vector<StudyFigure> makeFigures(const InterpolationResults& results, bool quick) {
   const double step = quick ? 25.0 : 4.0;
   const Figure left_out{.panels = {methodPlot(results), widthPlot(results)}, .columns = 2, .panel_width_px = 560.0};
   return {
@@ -275,7 +275,7 @@ StudyPage studyInterpolation(const StudySettings& settings) {
            "Where the points lie on our back is assumed (E33). Figure 5.11 prints neither values nor parameters, so it "
            "can be compared by its look only: large at the shoulders, small at the waist."},
       .tables = {leftOutTable(results), keysTable()},
-      .figures = figuresOf(results, settings.quick),
+      .figures = makeFigures(results, settings.quick),
       .numbers = {{"radius_of_figure_5_9_from_mm", results.figure_5_9.from},
                   {"radius_of_figure_5_9_to_mm", results.figure_5_9.to},
                   {"left_out_mean_rms_mm", results.subjects[0].rms_mm},

@@ -34,7 +34,7 @@ void addWithMirror(int point, const LogTensor& tensor, TensorSet& set) {
   if (place.x() != 0.0) set.push_back({{-place.x(), place.y()}, mirrored(tensor), point, true});
 }
 
-LogTensor meanOf(const TensorSet& keys) {
+LogTensor meanTensor(const TensorSet& keys) {
   LogTensor sum = LogTensor::Zero();
   for (const PlacedTensor& key : keys) sum += key.tensor;
   return keys.empty() ? sum : LogTensor(sum / static_cast<double>(keys.size()));
@@ -74,14 +74,14 @@ TensorField surfaceField(const TensorSet& keys, Settings... settings) {
       [parts](const Vec2& place) { return LogTensor(parts[0]->at(place), parts[1]->at(place), parts[2]->at(place)); };
 }
 
-TensorField fieldOf(const TensorSet& keys, Interpolator interpolator, double effect_radius_mm) {
+TensorField makeField(const TensorSet& keys, Interpolator interpolator, double effect_radius_mm) {
   switch (interpolator) {
     case Interpolator::mean:
-      return [mean = meanOf(keys)](const Vec2&) { return mean; };
+      return [mean = meanTensor(keys)](const Vec2&) { return mean; };
     case Interpolator::gri:
       return griField(keys, {std::log(maps::EllipseMapSettings{}.basic_radius_mm), 0.0, 0.0}, effect_radius_mm);
     case Interpolator::gri_mean:
-      return griField(keys, meanOf(keys), effect_radius_mm);
+      return griField(keys, meanTensor(keys), effect_radius_mm);
     case Interpolator::thin_plate:
       return surfaceField<maps::ThinPlateSpline>(keys);
     case Interpolator::plane:
@@ -126,7 +126,7 @@ std::vector<TensorSet> subjectSets(maps::ForceDirection force) {
 
 std::optional<TensorField> fieldThrough(const TensorSet& keys, Interpolator interpolator, double effect_radius_mm) {
   try {
-    return fieldOf(keys, interpolator, effect_radius_mm);
+    return makeField(keys, interpolator, effect_radius_mm);
   } catch (const Error&) {  // too few keys, or too much in line
     return std::nullopt;
   }
@@ -184,7 +184,7 @@ double subjectScatterMm(const std::vector<TensorSet>& subjects) {
         std::copy_if(other.begin(), other.end(), std::back_inserter(others),
                      [&](const PlacedTensor& key) { return key.point == measured.point && !key.mirrored; });
       }
-      const double distance = boundaryRmsMm(measured.tensor, meanOf(others));
+      const double distance = boundaryRmsMm(measured.tensor, meanTensor(others));
       squares += distance * distance;
       ++compared;
     }

@@ -47,7 +47,7 @@ double numberOf(std::string_view text) {
   return *number;
 }
 
-const Misprint* misprintOf(const NumberRow& row, double ours) {
+const Misprint* findMisprint(const NumberRow& row, double ours) {
   for (const Misprint& misprint : kMisprints) {
     const bool is_here = misprint.where == row.where && misprint.what == row.what && misprint.printed == row.printed;
     if (is_here && agrees(misprint.right, ours)) return &misprint;
@@ -69,9 +69,9 @@ std::string toleranceText(const PrintedNumber& printed) {
 
 }  // namespace
 
-bool studyHolds(const std::vector<NumberRow>& rows) { return countOf(rows, Verdict::not_reproduced) == 0; }
+bool studyHolds(const std::vector<NumberRow>& rows) { return countRows(rows, Verdict::not_reproduced) == 0; }
 
-int countOf(const std::vector<NumberRow>& rows, Verdict verdict) {
+int countRows(const std::vector<NumberRow>& rows, Verdict verdict) {
   return static_cast<int>(
       std::count_if(rows.begin(), rows.end(), [&](const NumberRow& row) { return row.verdict == verdict; }));
 }
@@ -108,7 +108,7 @@ NumberRow judged(std::string where, std::string what, const std::string& printed
                 .off_percent = offPercent(number.value, ours)};
   if (agrees(printed, ours)) return row;
   row.verdict = Verdict::not_reproduced;
-  if (const Misprint* misprint = misprintOf(row, ours)) {
+  if (const Misprint* misprint = findMisprint(row, ours)) {
     row.verdict = Verdict::misprint;
     row.erratum = misprint->erratum;
     row.reason = misprint->reason;

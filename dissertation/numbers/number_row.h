@@ -50,7 +50,7 @@ inline Verdict reproducedFrom(Source source) {
 /// True when no number that can be computed differs without an erratum that names why.
 bool studyHolds(const std::vector<NumberRow>& rows);
 
-int countOf(const std::vector<NumberRow>& rows, Verdict verdict);
+int countRows(const std::vector<NumberRow>& rows, Verdict verdict);
 
 /// A number as a text prints it: 1/3 is {"1/3"}, 3.04 has two decimals. Throws Error for anything else.
 struct PrintedNumber {

@@ -30,11 +30,11 @@ std::string verdictText(const NumberRow& row) {
 
 std::string offText(const NumberRow& row) { return row.off_percent ? fmt::format("{:+.2g} %", *row.off_percent) : ""; }
 
-std::vector<std::string> cellsOf(const NumberRow& row) {
+std::vector<std::string> rowCells(const NumberRow& row) {
   return {row.where, row.what, row.printed, row.ours, offText(row), row.tolerance, verdictText(row), row.reason};
 }
 
-Json objectOf(const NumberRow& row) {
+Json toJsonObject(const NumberRow& row) {
   Json json = {{"where", row.where},
                {"what", row.what},
                {"printed", row.printed},
@@ -47,10 +47,10 @@ Json objectOf(const NumberRow& row) {
   return json;
 }
 
-Json listOf(const std::vector<NumberRow>& rows, bool deciding) {
+Json toJsonArray(const std::vector<NumberRow>& rows, bool deciding) {
   Json list = Json::array();
   for (const NumberRow& row : rows) {
-    if (decides(row.verdict) == deciding) list.push_back(objectOf(row));
+    if (decides(row.verdict) == deciding) list.push_back(toJsonObject(row));
   }
   return list;
 }
@@ -64,7 +64,7 @@ constexpr const char* kNumbersLegend =
 TextTable tableWhere(const std::vector<NumberRow>& rows, const std::function<bool(const NumberRow&)>& wanted) {
   TextTable table{{"where", "number", "printed", "ours", "off", "tolerance", "verdict", "how or why"}, {}};
   for (const NumberRow& row : rows) {
-    if (wanted(row)) table.rows.push_back(cellsOf(row));
+    if (wanted(row)) table.rows.push_back(rowCells(row));
   }
   return table;
 }
@@ -82,7 +82,7 @@ TextTable tableOf(const std::vector<NumberRow>& rows, bool deciding) {
 std::string countsLine(const std::vector<NumberRow>& rows) {
   std::string line;
   for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) {
-    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", countOf(rows, verdict), word);
+    line += fmt::format("{}{} {}", line.empty() ? "" : ", ", countRows(rows, verdict), word);
   }
   return line;
 }
@@ -93,24 +93,24 @@ std::string textOf(const std::vector<NumberRow>& rows) {
   return plainText(wholeTable(rows)) + "\n" + kNumbersLegend + "\n" + countsLine(rows) + "\n";
 }
 
-std::string jsonOf(const std::vector<NumberRow>& rows) {
+std::string toJson(const std::vector<NumberRow>& rows) {
   Json counts;
-  for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) counts[word] = countOf(rows, verdict);
+  for (const auto& [word, verdict] : WordsOf<Verdict>::kAll) counts[word] = countRows(rows, verdict);
   const Json json = {{"holds", studyHolds(rows)},
                      {"counts", counts},
-                     {"rows", listOf(rows, true)},
-                     {"statements", listOf(rows, false)}};
+                     {"rows", toJsonArray(rows, true)},
+                     {"statements", toJsonArray(rows, false)}};
   return jsonDump(json, 2) + "\n";
 }
 
-std::string markdownOf(const std::vector<NumberRow>& rows) {
+std::string toMarkdown(const std::vector<NumberRow>& rows) {
   return "# The dissertation's numbers beside ours\n\n" + countsLine(rows) + ".\n\n" + kNumbersLegend +
-         "\n## Numbers that can be computed\n\n" + markdownOf(tableOf(rows, true)) +
+         "\n## Numbers that can be computed\n\n" + toMarkdown(tableOf(rows, true)) +
          "\n## Statements that contradict themselves, and numbers that nobody can compute today\n\n" +
-         markdownOf(tableOf(rows, false));
+         toMarkdown(tableOf(rows, false));
 }
 
-std::string csvOf(const std::vector<NumberRow>& rows) {
+std::string toCsv(const std::vector<NumberRow>& rows) {
   TextTable table{{"where", "number", "printed", "ours", "off_percent", "tolerance", "verdict", "erratum", "reason"},
                   {}};
   for (const NumberRow& row : rows) {
@@ -119,14 +119,14 @@ std::string csvOf(const std::vector<NumberRow>& rows) {
     table.rows.push_back({row.where, row.what, row.printed, row.ours, off, row.tolerance,
                           std::string(wordFor(row.verdict)), erratum, row.reason});
   }
-  return csvOf(table);
+  return toCsv(table);
 }
 
 void writeNumbers(const std::vector<NumberRow>& rows, const std::filesystem::path& folder) {
   makeFolder(folder);
-  writeFile(folder / "numbers.md", markdownOf(rows));
-  writeFile(folder / "numbers.csv", csvOf(rows));
-  writeFile(folder / "numbers.json", jsonOf(rows));
+  writeFile(folder / "numbers.md", toMarkdown(rows));
+  writeFile(folder / "numbers.csv", toCsv(rows));
+  writeFile(folder / "numbers.json", toJson(rows));
 }
 
 }  // namespace palpate::study

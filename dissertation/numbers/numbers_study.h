@@ -27,9 +27,9 @@ std::string textOf(const std::vector<NumberRow>& rows);
 /// How many rows have each verdict: "52 from our engine, ...".
 std::string countsLine(const std::vector<NumberRow>& rows);
 /// One object: {"holds", "counts", "rows", "statements"}; counts has every verdict, rows decide, statements inform.
-std::string jsonOf(const std::vector<NumberRow>& rows);
-std::string markdownOf(const std::vector<NumberRow>& rows);
-std::string csvOf(const std::vector<NumberRow>& rows);
+std::string toJson(const std::vector<NumberRow>& rows);
+std::string toMarkdown(const std::vector<NumberRow>& rows);
+std::string toCsv(const std::vector<NumberRow>& rows);
 
 /// Writes numbers.md, numbers.csv and numbers.json into the folder, which is made when missing. Throws Error naming
 /// the file.

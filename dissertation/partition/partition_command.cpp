@@ -60,7 +60,7 @@ struct PartitionArguments {
 const Choices<LeafSearch>& traversals() {
   static const Choices<LeafSearch> all = [] {
     Choices<LeafSearch> choices;
-    for (const auto& [word, literal] : choicesOf<std::optional<hdb::LiteralTraversal>>()) {
+    for (const auto& [word, literal] : makeChoices<std::optional<hdb::LiteralTraversal>>()) {
       choices.push_back({word, {false, literal}});
     }
     choices.insert(choices.begin() + 1, {"sphere", {true, {}}});
@@ -163,7 +163,7 @@ void runPartition(const PartitionArguments& arguments) {
     writePictures(arguments, partitionFigure(mesh, built.partition, report, sight->second));
   }
   progress.clear();
-  fmt::print("{}", arguments.json ? jsonDump(jsonOf(report), 2) + "\n" : textOf(report));
+  fmt::print("{}", arguments.json ? jsonDump(toJson(report), 2) + "\n" : textOf(report));
 }
 
 void addBoxOptions(Command& command, PartitionArguments& arguments) {
@@ -198,7 +198,7 @@ void addPartitionCommand(Command& study) {
           "Picture, .png or .svg, repeatable: each leaf in a colour of its own, the leaves' boxes; with --box "
           "beside it what the box finds"))
       ->allow_extra_args(false);
-  takesOneOf(namesOf(sights()),
+  restrictTo(choiceNames(sights()),
              command.add_option("--view", arguments.side, "Side that the picture is seen from")->capture_default_str());
   command.add_option("--leaf-colours", arguments.leaves_file, "Write a PLY with each leaf in a colour of its own");
   command.add_option("--selection", arguments.selection_file,

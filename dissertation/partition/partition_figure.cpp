@@ -53,7 +53,8 @@ void addLeaves(const mesh::TriangleMesh& mesh, const hdb::Partition& partition, 
 }
 
 /// Boxes that queries test.
-figures::Segments boxesOf(const hdb::Partition& partition, std::span<const Index> leaves, const std::string& name) {
+figures::Segments leafBoxEdges(const hdb::Partition& partition, std::span<const Index> leaves,
+                               const std::string& name) {
   figures::Segments boxes{.name = name, .segments = {}, .colour = figures::withAlpha(figures::kBlue, 0.55)};
   boxes.width_px = 0.8;
   for (const Index leaf : leaves) {
@@ -68,7 +69,7 @@ figures::MeshView leavesView(const mesh::TriangleMesh& mesh, const hdb::Partitio
   const std::size_t count = partition.leaves.size();
   figures::MeshView view = seenFrom(sight, fmt::format("{} leaves, a colour each", count));
   addLeaves(mesh, partition, view);
-  if (count <= kMaxBoxes) view.lines.push_back(boxesOf(partition, partition.leaves, "boxes of the leaves"));
+  if (count <= kMaxBoxes) view.lines.push_back(leafBoxEdges(partition, partition.leaves, "boxes of the leaves"));
   return view;
 }
 
@@ -85,7 +86,7 @@ figures::MeshView boxView(const mesh::TriangleMesh& mesh, const hdb::Partition& 
   }
   for (const Index triangle : query.exact) view.colours[triangle] = kExact;
   view.legend = {{"in the leaves found", kInLeaves}, {"meet the box", kExact}};
-  view.lines.push_back(boxesOf(partition, query.leaves.leaves, "boxes of these leaves"));
+  view.lines.push_back(leafBoxEdges(partition, query.leaves.leaves, "boxes of these leaves"));
   figures::Segments edges{.name = "haptic detecting box",
                           .segments = figures::boxEdges(hdb::hapticBox(box.centre_mm, box.edges_mm)),
                           .colour = figures::kVermilion};

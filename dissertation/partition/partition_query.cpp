@@ -17,7 +17,7 @@ constexpr double kMaxSeconds = 0.5;  // for each of the two queries
 
 /// The times of up to kRounds calls in us.
 template <class Call>
-lab::Percentiles timesOf(const Call& call) {
+lab::Percentiles measureTimes(const Call& call) {
   call();  // warm
   std::vector<double> times;
   const auto end = Clock::now() + std::chrono::duration<double>(kMaxSeconds);
@@ -26,7 +26,7 @@ lab::Percentiles timesOf(const Call& call) {
     call();
     times.push_back(microsecondsSince(start));
   }
-  return lab::percentilesOf(std::move(times));
+  return lab::computePercentiles(std::move(times));
 }
 
 double radiusIn(const Box3& box) { return 0.5 * box.sizes().x(); }
@@ -68,12 +68,12 @@ PartitionQuery askPartition(const mesh::TriangleMesh& mesh, const Partition& par
                             const LeafSearch& search) {
   PartitionQuery query;
   query.leaves.prepareFor(partition);
-  query.leaves_us = timesOf([&] { findLeavesBy(search, partition, box, query.leaves); });
+  query.leaves_us = measureTimes([&] { findLeavesBy(search, partition, box, query.leaves); });
   query.rendered = entriesIn(partition, query.leaves.leaves);
 
   hdb::TriangleHits exact;
   exact.prepareFor(partition);
-  query.exact_us = timesOf([&] {
+  query.exact_us = measureTimes([&] {
     findTriangles(partition, box, exact);
     listTriangles(partition, exact);
   });

@@ -49,7 +49,7 @@ std::string boxText(const PartitionReport::Box& box) {
   return text + fmt::format("  time, exact         p50 {:.2f}  p99 {:.2f} us\n", q.exact_us.p50, q.exact_us.p99);
 }
 
-Json jsonOf(const hdb::LeafSizes& sizes) {
+Json toJson(const hdb::LeafSizes& sizes) {
   Json bins = Json::array();
   for (const auto& bin : sizes.histogram) {
     bins.push_back({{"first", bin.first}, {"last", bin.last}, {"leaves", bin.leaves}});
@@ -57,7 +57,7 @@ Json jsonOf(const hdb::LeafSizes& sizes) {
   return {{"min", sizes.least}, {"mean", sizes.mean}, {"max", sizes.most}, {"histogram", bins}};
 }
 
-Json jsonOf(const PartitionReport::Box& box) {
+Json toJson(const PartitionReport::Box& box) {
   const PartitionQuery& q = box.query;
   Json json;
   json["center_mm"] = vectorJson(box.centre_mm);
@@ -100,7 +100,7 @@ std::string textOf(const PartitionReport& report) {
   return report.box ? text + boxText(*report.box) : text;
 }
 
-Json jsonOf(const PartitionReport& report) {
+Json toJson(const PartitionReport& report) {
   const hdb::PartitionStatistics& s = report.statistics;
   Json json;
   json["mesh"] = report.mesh;
@@ -116,13 +116,13 @@ Json jsonOf(const PartitionReport& report) {
   json["empty_nodes"] = s.empty_nodes;
   json["blocks"] = s.blocks;
   json["entries"] = s.entries;
-  json["triangles_per_leaf"] = jsonOf(s.leaf_sizes);
+  json["triangles_per_leaf"] = toJson(s.leaf_sizes);
   json["entries_per_triangle"] = s.entries_per_triangle;
   json["leaf_boxes_per_point"] = s.leaves_per_point;
   json["bytes_per_triangle"] = bytesPerTriangle(report);
   json["build_ms"] = 1e3 * report.build_seconds;
   json["build_ns_per_triangle"] = nsPerTriangle(report);
-  if (report.box) json["box"] = jsonOf(*report.box);
+  if (report.box) json["box"] = toJson(*report.box);
   return json;
 }
 

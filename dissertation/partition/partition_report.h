@@ -63,7 +63,7 @@ struct PartitionReport {
 };
 
 std::string textOf(const PartitionReport& report);
-Json jsonOf(const PartitionReport& report);
+Json toJson(const PartitionReport& report);
 
 // Picture: partition_figure.cpp.
 

@@ -122,7 +122,7 @@ ArrayQuality curveQuality(const SkinSection& section) {
   return own;
 }
 
-double orderOf(std::span<const ArrayQuality> sweep) {
+double convergenceSlope(std::span<const ArrayQuality> sweep) {
   double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
   const auto n = static_cast<double>(sweep.size());
   for (const ArrayQuality& one : sweep) {

@@ -44,7 +44,7 @@ ArrayQuality arrayQuality(int entries, tissue::TableLookup lookup, const SkinSec
 ArrayQuality curveQuality(const SkinSection& section);
 
 /// Slope of log(error) over log(entries), least squares: -1 for errors that halve with twice the entries.
-double orderOf(std::span<const ArrayQuality> sweep);
+double convergenceSlope(std::span<const ArrayQuality> sweep);
 
 /// Nanoseconds for one bare look-up of (4.3) at scattered location ratios, best of several runs.
 double lookupNanoseconds(int entries, tissue::TableLookup lookup, bool quick);

@@ -69,8 +69,8 @@ FindingValues linearArrays(const ProfileResults& results) {
 }
 
 FindingValues orderOfArrays(const ProfileResults& results) {
-  const double nearest = -orderOf(results.nearest[0]);
-  const double linear = -orderOf(results.linear[0]);
+  const double nearest = -convergenceSlope(results.nearest[0]);
+  const double linear = -convergenceSlope(results.linear[0]);
   const bool agrees = std::abs(nearest - 1.0) < kSameOrder && std::abs(linear - 2.0) < kSameOrder;
   return {{"nearest", nearest}, {"linear", linear}, {"differs", !agrees}};
 }
@@ -94,11 +94,11 @@ std::size_t indexOf(int entries) {
 }
 
 std::vector<std::string> profileFindings(const ProfileResults& results) {
-  return findingsOf(texts::profile_findings, {{"place", placesOfArrays(results)},
-                                              {"shading", shadingOfArrays(results)},
-                                              {"linear", linearArrays(results)},
-                                              {"order", orderOfArrays(results)},
-                                              {"time", timesOfArrays(results.timing)}});
+  return formatFindings(texts::profile_findings, {{"place", placesOfArrays(results)},
+                                                  {"shading", shadingOfArrays(results)},
+                                                  {"linear", linearArrays(results)},
+                                                  {"order", orderOfArrays(results)},
+                                                  {"time", timesOfArrays(results.timing)}});
 }
 
 }  // namespace palpate::study

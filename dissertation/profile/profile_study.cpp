@@ -246,8 +246,8 @@ std::vector<std::pair<std::string, double>> numbersOf(const ProfileResults& resu
     numbers.emplace_back("lookup_ns_linear_" + size, results.timing.linear[indexOf(entries)]);
   }
   numbers.emplace_back("closed_form_ns", results.timing.closed);
-  numbers.emplace_back("order_nearest", -orderOf(results.nearest[0]));
-  numbers.emplace_back("order_linear", -orderOf(results.linear[0]));
+  numbers.emplace_back("order_nearest", -convergenceSlope(results.nearest[0]));
+  numbers.emplace_back("order_linear", -convergenceSlope(results.linear[0]));
   return numbers;
 }
 

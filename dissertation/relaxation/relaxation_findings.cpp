@@ -81,7 +81,7 @@ std::vector<BeefLoss> beefLosses(const RelaxationMeasurement& found) {
 
 std::vector<std::string> relaxationFindings(const RelaxationMeasurement& found) {
   const std::vector<double>& dent = found.skins.at(1).dent_mm;
-  return findingsOf(
+  return formatFindings(
       texts::relaxation_findings,
       {{"held", heldSkin(found)},
        {"cycle", pressedAndLetGo(found)},

@@ -63,7 +63,7 @@ class Finger {
   contact::FingerOutput felt_;
 };
 
-int ticksOf(double seconds) { return static_cast<int>(std::lround(seconds / kTick)); }
+int toTicks(double seconds) { return static_cast<int>(std::lround(seconds / kTick)); }
 
 /// Held, then left: both of one finger.
 void holdAndLeave(const contact::Surface& surface, RelaxingSkin& skin) {
@@ -71,13 +71,13 @@ void holdAndLeave(const contact::Surface& surface, RelaxingSkin& skin) {
   finger.goTo(kDepthMm, kApproach);
   int tick = 0;
   for (const double time : heldTimes()) {
-    for (; tick < ticksOf(time); ++tick) finger.deep(kDepthMm);
+    for (; tick < toTicks(time); ++tick) finger.deep(kDepthMm);
     skin.held_n.push_back(finger.felt().force.z());
   }
   finger.goTo(-5.0, kApproach);
   tick = 0;
   for (const double time : returnTimes()) {
-    for (; tick < ticksOf(time); ++tick) finger.deep(-5.0);
+    for (; tick < toTicks(time); ++tick) finger.deep(-5.0);
     skin.dent_mm.push_back(tissue::depthOf(surface.force_law, finger.felt().dent.rest_mm, kTissueMm));
   }
 }
@@ -87,7 +87,7 @@ void drag(const contact::Surface& surface, RelaxingSkin& skin) {
   Finger finger(surface, skin.relaxation);
   finger.goTo(kDepthMm, kApproach);
   skin.friction_low = 1e9;
-  for (int tick = 1; tick <= ticksOf(4.0); ++tick) {
+  for (int tick = 1; tick <= toTicks(4.0); ++tick) {
     const contact::FingerOutput& felt = finger.to(Vec3(0.2 + 0.02 * tick, 0.1, -kDepthMm));
     if (felt.touch != contact::Touch::slip) continue;
     const double normal = felt.force.dot(felt.normal);
@@ -97,10 +97,10 @@ void drag(const contact::Surface& surface, RelaxingSkin& skin) {
   }
 }
 
-PressCycle cycleOf(const contact::Surface& surface, const contact::Relaxation& relaxation, double stroke_s) {
+PressCycle runPressCycle(const contact::Surface& surface, const contact::Relaxation& relaxation, double stroke_s) {
   Finger finger(surface, relaxation);
   PressCycle cycle{.stroke_s = stroke_s, .depth_mm = {}, .force_n = {}};
-  const int ticks = ticksOf(2.0 * stroke_s);
+  const int ticks = toTicks(2.0 * stroke_s);
   const int shown_every = std::max(1, ticks / 400);
   double put_in = 0.0;
   double net = 0.0;
@@ -152,7 +152,7 @@ RelaxationMeasurement measureRelaxation(bool quick, const Progress& progress) {
   const std::vector<double> strokes = quick ? std::vector{0.1, 1.0, 5.0} : std::vector{0.1, 0.3, 1.0, 3.0, 10.0, 30.0};
   for (const double stroke_s : strokes) {
     report(progress, "pressing at several paces", 0.5);
-    found.cycles.push_back(cycleOf(surface, offered, stroke_s));
+    found.cycles.push_back(runPressCycle(surface, offered, stroke_s));
   }
   return found;
 }

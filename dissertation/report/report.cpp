@@ -24,7 +24,7 @@ Progress stepProgress(const Progress& progress, std::size_t step, std::size_t st
   };
 }
 
-ReportHead headOf(const std::vector<StudyPage>& pages, std::size_t chapters, bool quick, double seconds) {
+ReportHead makeReportHead(const std::vector<StudyPage>& pages, std::size_t chapters, bool quick, double seconds) {
   ReportHead head;
   head.title = "The dissertation, studied";
   head.about =
@@ -76,7 +76,7 @@ std::vector<StudyPage> writeReport(const std::vector<Study>& chapters, const Stu
     if (done) done({i + 1, chapters.size(), chapters[i].name, secondsSince(chapter_start)});
   }
   writeFile(folder / "report.html",
-            reportHtml(headOf(pages, chapters.size(), settings.quick, secondsSince(start)), pages, folder));
+            reportHtml(makeReportHead(pages, chapters.size(), settings.quick, secondsSince(start)), pages, folder));
   return pages;
 }
 

@@ -21,19 +21,19 @@ StudyPage numbersPage(const StudySettings&) {
   page.tables = {{"numbers_all", "Numbers that can be computed:", tableOf(rows, true)},
                  {"numbers_statements",
                   "Statements that do not hold, and numbers that nobody can compute today:", tableOf(rows, false)}};
-  page.numbers = {{"from_engine", countOf(rows, Verdict::from_engine)},
-                  {"arithmetic_of_printed_numbers", countOf(rows, Verdict::arithmetic)},
-                  {"misprints", countOf(rows, Verdict::misprint)},
-                  {"not_reproduced", countOf(rows, Verdict::not_reproduced)},
-                  {"inconsistent", countOf(rows, Verdict::inconsistent)},
-                  {"not_computable", countOf(rows, Verdict::not_computable)}};
+  page.numbers = {{"from_engine", countRows(rows, Verdict::from_engine)},
+                  {"arithmetic_of_printed_numbers", countRows(rows, Verdict::arithmetic)},
+                  {"misprints", countRows(rows, Verdict::misprint)},
+                  {"not_reproduced", countRows(rows, Verdict::not_reproduced)},
+                  {"inconsistent", countRows(rows, Verdict::inconsistent)},
+                  {"not_computable", countRows(rows, Verdict::not_computable)}};
   return page;
 }
 
 // Enough to see that drawing works.
 const std::vector<std::string> kQuickFigures{"3.11", "4.8", "5.3"};
 
-std::string captionOf(const DissertationFigure& entry) {
+std::string figureCaption(const DissertationFigure& entry) {
   const std::string caption = fmt::format("{}. {}.", titleOf(entry), entry.caption);
   return entry.difference.empty() ? caption
                                   : fmt::format("{} What differs from the printed one: {}", caption, entry.difference);
@@ -49,7 +49,7 @@ StudyPage figuresPage(const StudySettings& settings) {
   for (const DissertationFigure& entry : chosen) {
     report(settings.progress, titleOf(entry),
            static_cast<double>(page.figures.size()) / static_cast<double>(chosen.size()));
-    page.figures.push_back({fileStem(entry), captionOf(entry), entry.draw()});
+    page.figures.push_back({fileStem(entry), figureCaption(entry), entry.draw()});
   }
   page.findings = figuresFindings(chosen);
   page.method = {"The built-in back and hand stand in for the scan and the bunny, which were never published."};

@@ -41,7 +41,7 @@ FindingValues allTogether(const ErratumEffect& all, const ErratumEffect& correct
 }
 
 /// Number and effect of the erratum with the largest effect; 0 and 0 without any.
-FindingValues mostOf(const std::vector<ErratumEffect>& errata, double ErratumEffect::*value) {
+FindingValues largestErratumValues(const std::vector<ErratumEffect>& errata, double ErratumEffect::*value) {
   const ErratumEffect* most = largest(errata, value);
   if (most == nullptr) return {{"erratum", 0}, {"most", 0.0}};
   return {{"erratum", numberOf(most->text.erratum)}, {"most", most->*value}};
@@ -49,7 +49,7 @@ FindingValues mostOf(const std::vector<ErratumEffect>& errata, double ErratumEff
 
 FindingValues mostMissed(const std::vector<ErratumEffect>& errata) {
   const ErratumEffect* most = largest(errata, &ErratumEffect::missed_percent);
-  FindingValues values = mostOf(errata, &ErratumEffect::missed_percent);
+  FindingValues values = largestErratumValues(errata, &ErratumEffect::missed_percent);
   values["lost_ticks"] = most == nullptr ? 0 : most->lost_ticks;
   return values;
 }
@@ -90,26 +90,26 @@ std::vector<std::string> numbersFindings(const std::vector<NumberRow>& rows) {
                          {"ours", row.ours},
                          {"erratum", row.erratum == Erratum::none ? 0 : numberOf(row.erratum)}});
   }
-  return findingsOf(texts::numbers_findings, {{"counts",
-                                               {{"from_engine", countOf(rows, Verdict::from_engine)},
-                                                {"arithmetic", countOf(rows, Verdict::arithmetic)},
-                                                {"misprints", countOf(rows, Verdict::misprint)},
-                                                {"failed", countOf(rows, Verdict::not_reproduced)}}},
-                                              {"statements",
-                                               {{"inconsistent", countOf(rows, Verdict::inconsistent)},
-                                                {"not_computable", countOf(rows, Verdict::not_computable)}}},
-                                              {"differing", differing}});
+  return formatFindings(texts::numbers_findings, {{"counts",
+                                                   {{"from_engine", countRows(rows, Verdict::from_engine)},
+                                                    {"arithmetic", countRows(rows, Verdict::arithmetic)},
+                                                    {"misprints", countRows(rows, Verdict::misprint)},
+                                                    {"failed", countRows(rows, Verdict::not_reproduced)}}},
+                                                  {"statements",
+                                                   {{"inconsistent", countRows(rows, Verdict::inconsistent)},
+                                                    {"not_computable", countRows(rows, Verdict::not_computable)}}},
+                                                  {"differing", differing}});
 }
 
 std::vector<std::string> figuresFindings(const std::vector<DissertationFigure>& figures) {
   const auto differing = std::count_if(figures.begin(), figures.end(),
                                        [](const DissertationFigure& figure) { return !figure.difference.empty(); });
   const std::size_t computed = numbersOf(figures, FigureBasis::computed).size();
-  return findingsOf(texts::figures_findings,
-                    {{"drawn", {{"figures", figures.size()}, {"computed", computed}}},
-                     {"printed", countedFigures(numbersOf(figures, FigureBasis::printed))},
-                     {"examples", countedFigures(numbersOf(figures, FigureBasis::own_example))},
-                     {"differing", {{"count", differing}}}});
+  return formatFindings(texts::figures_findings,
+                        {{"drawn", {{"figures", figures.size()}, {"computed", computed}}},
+                         {"printed", countedFigures(numbersOf(figures, FigureBasis::printed))},
+                         {"examples", countedFigures(numbersOf(figures, FigureBasis::own_example))},
+                         {"differing", {{"count", differing}}}});
 }
 
 std::vector<std::string> errataFindings(const ErrataEffects& effects) {
@@ -117,13 +117,14 @@ std::vector<std::string> errataFindings(const ErrataEffects& effects) {
   for (std::size_t i = 0; i < effects.all_literal.size(); ++i) {
     all.push_back(allTogether(effects.all_literal[i], effects.corrected.at(i)));
   }
-  return findingsOf(texts::errata_findings, {{"all", all},
-                                             {"most",
-                                              {{"seen", mostOf(effects.errata, &ErratumEffect::skin_mm)},
-                                               {"felt", mostOf(effects.errata, &ErratumEffect::force_n)}}},
-                                             {"missed", mostMissed(effects.errata)},
-                                             {"drag", dragOfE2(effects)},
-                                             {"measured", measuredAndInert(effects.errata)}});
+  return formatFindings(texts::errata_findings,
+                        {{"all", all},
+                         {"most",
+                          {{"seen", largestErratumValues(effects.errata, &ErratumEffect::skin_mm)},
+                           {"felt", largestErratumValues(effects.errata, &ErratumEffect::force_n)}}},
+                         {"missed", mostMissed(effects.errata)},
+                         {"drag", dragOfE2(effects)},
+                         {"measured", measuredAndInert(effects.errata)}});
 }
 
 }  // namespace palpate::study

@@ -19,7 +19,7 @@ figures::Colour colourOfRival(Rival rival) {
 }
 
 // The section through the ball along x, of what moved where.
-Series sectionOf(const RivalRow& row) {
+Series profileSeries(const RivalRow& row) {
   Series series{.name = nameOf(row.rival), .marker = Marker::none, .colour = colourOfRival(row.rival), .width_px = 1.5};
   for (std::size_t v = 0; v < row.rest.size(); ++v) {
     if (std::abs(row.rest[v].y()) > 1e-9 || row.rest[v].x() < 0.0) continue;
@@ -29,7 +29,7 @@ Series sectionOf(const RivalRow& row) {
   return series;
 }
 
-Series sectionOf(const LayeredPress& truth) {
+Series profileSeries(const LayeredPress& truth) {
   Series series{.name = "truth", .colour = figures::kInk, .width_px = 2.6};
   for (std::size_t i = 0; i < truth.inward.size(); ++i) {
     const double radius = truth.step_mm * static_cast<double>(i);
@@ -43,10 +43,10 @@ Plot sectionPlot(const RivalsMeasurement& found, const std::string& tissue) {
   Plot plot{.title = fmt::format("\"{}\" pressed {:g} mm", tissue, kDeep)};
   plot.x = {.label = "distance from the ball", .unit = "mm", .from = 0.0, .to = 60.0};
   plot.y = {.label = "height of the skin", .unit = "mm", .from = -11.0, .to = 2.0};
-  plot.series = {sectionOf(rowOf(found, Rival::fsmd, tissue, kDeep, found.plan.common_cells).truth)};
+  plot.series = {profileSeries(findRivalRow(found, Rival::fsmd, tissue, kDeep, found.plan.common_cells).truth)};
   for (const Rival rival : kRivals) {
     if (rival == Rival::elements_answers) continue;  // the same skin as elements
-    plot.series.push_back(sectionOf(rowOf(found, rival, tissue, kDeep, found.plan.common_cells)));
+    plot.series.push_back(profileSeries(findRivalRow(found, rival, tissue, kDeep, found.plan.common_cells)));
   }
   return plot;
 }
@@ -63,7 +63,7 @@ Plot costPlot(const RivalsMeasurement& found) {
   for (std::size_t i = 0; i < kRivals.size(); ++i) {
     Series series{.name = nameOf(kRivals[i]), .marker = kMarkers[i], .colour = colourOfRival(kRivals[i])};
     for (const int cells : found.plan.cells) {
-      const RivalRow& row = rowOf(found, kRivals[i], "back_mid", kDeep, cells);
+      const RivalRow& row = findRivalRow(found, kRivals[i], "back_mid", kDeep, cells);
       series.x.push_back(1e-3 * row.press_us);
       series.y.push_back(100.0 * row.error);
     }
@@ -75,7 +75,7 @@ Plot costPlot(const RivalsMeasurement& found) {
 
 figures::MeshView errorView(const RivalsMeasurement& found, Rival rival) {
   constexpr double kRange = 0.15;
-  const RivalRow& row = rowOf(found, rival, "back_mid", kDeep, found.plan.common_cells);
+  const RivalRow& row = findRivalRow(found, rival, "back_mid", kDeep, found.plan.common_cells);
   figures::MeshView view{.title = nameOf(rival)};
   view.towards_viewer = Vec3(0.3, -1.0, 0.75);
   view.up = Vec3::UnitZ();

@@ -7,13 +7,13 @@
 
 namespace palpate::study {
 
-Extent errorsOf(const RivalsMeasurement& found, Rival rival) {
+Extent errorExtent(const RivalsMeasurement& found, Rival rival) {
   Extent errors;
   forEachCommon(found, rival, [&](const RivalRow& row) { errors.add(row.error); });
   return errors;
 }
 
-double meanErrorOf(const RivalsMeasurement& found, Rival rival) {
+double meanError(const RivalsMeasurement& found, Rival rival) {
   double sum = 0.0;
   int count = 0;
   forEachCommon(found, rival, [&](const RivalRow& row) {
@@ -33,13 +33,13 @@ namespace {
 
 constexpr double kPictureUs = 1e6 / 60.0;
 
-Rival nearestOf(const RivalsMeasurement& found) {
+Rival nearestRival(const RivalsMeasurement& found) {
   return *std::min_element(kRivals.begin(), kRivals.end(),
-                           [&](Rival a, Rival b) { return meanErrorOf(found, a) < meanErrorOf(found, b); });
+                           [&](Rival a, Rival b) { return meanError(found, a) < meanError(found, b); });
 }
 
 const RivalRow& usualPress(const RivalsMeasurement& found, Rival rival) {
-  return rowOf(found, rival, kFittedTissue, 10.0, found.plan.common_cells);
+  return findRivalRow(found, rival, kFittedTissue, 10.0, found.plan.common_cells);
 }
 
 FindingValues accuracyOfRivals(const RivalsMeasurement& found) {
@@ -47,9 +47,9 @@ FindingValues accuracyOfRivals(const RivalsMeasurement& found) {
   for (const Rival rival : kRivals) {
     if (rival == Rival::elements_answers) continue;
     errors.push_back(
-        {{"name", nameOf(rival)}, {"errors", errorsOf(found, rival)}, {"mean", meanErrorOf(found, rival)}});
+        {{"name", nameOf(rival)}, {"errors", errorExtent(found, rival)}, {"mean", meanError(found, rival)}});
   }
-  const Rival nearest = nearestOf(found);
+  const Rival nearest = nearestRival(found);
   return {{"errors", errors},
           {"vertices", usualPress(found, Rival::fsmd).vertices},
           {"elements", nearest == Rival::elements || nearest == Rival::elements_answers},
@@ -64,7 +64,7 @@ FindingValues fittedTissue(const RivalsMeasurement& found) {
   return {{"tissue", kFittedTissue},
           {"fitted", fitted},
           {"others", others},
-          {"printed", errorsOf(found, Rival::fsmd_printed)}};
+          {"printed", errorExtent(found, Rival::fsmd_printed)}};
 }
 
 FindingValues timesOfPresses(const RivalsMeasurement& found) {
@@ -111,7 +111,7 @@ FindingValues latticesOfFreeForm(const RivalsMeasurement& found) {
 }
 
 /// Over the truth's.
-Extent forcesOf(const RivalsMeasurement& found, Rival rival) {
+Extent forceRatioExtent(const RivalsMeasurement& found, Rival rival) {
   Extent shares;
   forEachCommon(found, rival, [&](const RivalRow& row) { shares.add(*row.force_n / row.truth.force_n); });
   return shares;
@@ -120,14 +120,14 @@ Extent forcesOf(const RivalsMeasurement& found, Rival rival) {
 }  // namespace
 
 std::vector<std::string> rivalFindings(const RivalsMeasurement& found) {
-  return findingsOf(
-      texts::rivals_findings,
-      {{"accuracy", accuracyOfRivals(found)},
-       {"fitted", fittedTissue(found)},
-       {"time", timesOfPresses(found)},
-       {"kept", keptAnswers(found)},
-       {"free_form", latticesOfFreeForm(found)},
-       {"force", {{"elements", forcesOf(found, Rival::elements)}, {"springs", forcesOf(found, Rival::mass_spring)}}}});
+  return formatFindings(texts::rivals_findings, {{"accuracy", accuracyOfRivals(found)},
+                                                 {"fitted", fittedTissue(found)},
+                                                 {"time", timesOfPresses(found)},
+                                                 {"kept", keptAnswers(found)},
+                                                 {"free_form", latticesOfFreeForm(found)},
+                                                 {"force",
+                                                  {{"elements", forceRatioExtent(found, Rival::elements)},
+                                                   {"springs", forceRatioExtent(found, Rival::mass_spring)}}}});
 }
 
 }  // namespace palpate::study

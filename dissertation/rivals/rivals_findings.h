@@ -18,12 +18,12 @@ inline constexpr const char* kFittedTissue = "back_mid";  ///< fits the default 
 template <class Function>
 void forEachCommon(const RivalsMeasurement& found, Rival rival, const Function& function) {
   for (const LayeredPress& press : layeredPresses()) {
-    function(rowOf(found, rival, press.tissue, press.depth_mm, found.plan.common_cells));
+    function(findRivalRow(found, rival, press.tissue, press.depth_mm, found.plan.common_cells));
   }
 }
 
-Extent errorsOf(const RivalsMeasurement& found, Rival rival);
-double meanErrorOf(const RivalsMeasurement& found, Rival rival);
+Extent errorExtent(const RivalsMeasurement& found, Rival rival);
+double meanError(const RivalsMeasurement& found, Rival rival);
 double slowestUs(const RivalsMeasurement& found, Rival rival);
 
 /// Paragraphs, most important first.

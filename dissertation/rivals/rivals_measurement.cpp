@@ -223,8 +223,8 @@ RivalsMeasurement measureRivals(const RivalsPlan& plan, const Progress& progress
   return found;
 }
 
-const RivalRow& rowOf(const RivalsMeasurement& found, Rival rival, const std::string& tissue, double depth_mm,
-                      int cells) {
+const RivalRow& findRivalRow(const RivalsMeasurement& found, Rival rival, const std::string& tissue, double depth_mm,
+                             int cells) {
   for (const RivalRow& row : found.rows) {
     const bool lattice = rival != Rival::free_form || row.lattice_mm == found.plan.lattice_mm;
     if (row.rival == rival && row.truth.tissue == tissue && row.truth.depth_mm == depth_mm && row.cells == cells &&

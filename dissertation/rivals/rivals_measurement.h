@@ -59,7 +59,7 @@ struct RivalsMeasurement {
 RivalsMeasurement measureRivals(const RivalsPlan& plan, const Progress& progress);
 
 /// Throws Error if it was not measured. Free form: with the plan's lattice.
-const RivalRow& rowOf(const RivalsMeasurement& found, Rival rival, const std::string& tissue, double depth_mm,
-                      int cells);
+const RivalRow& findRivalRow(const RivalsMeasurement& found, Rival rival, const std::string& tissue, double depth_mm,
+                             int cells);
 
 }  // namespace palpate::study

@@ -30,7 +30,7 @@ TextTable sizeTable(const RivalsMeasurement& found) {
   TextTable table{{"method", "vertices of the skin", "error", "before", "a press", "memory"}, {}};
   for (const Rival rival : kRivals) {
     for (const int cells : found.plan.cells) {
-      const RivalRow& row = rowOf(found, rival, kFittedTissue, 10.0, cells);
+      const RivalRow& row = findRivalRow(found, rival, kFittedTissue, 10.0, cells);
       table.rows.push_back({nameOf(rival), fmt::format("{}", row.vertices), percent(row.error),
                             readableTime(1e3 * row.once_ms), readableTime(row.press_us), readableBytes(row.bytes)});
     }
@@ -48,7 +48,7 @@ TextTable latticeTable(const RivalsMeasurement& found) {
   return table;
 }
 
-std::vector<std::string> methodOf(const RivalsPlan& plan) {
+std::vector<std::string> describeMethod(const RivalsPlan& plan) {
   return {
       fmt::format(
           "The truth: finite elements of finite strain under a frictionless ball of 8 mm, made outside this project "
@@ -67,11 +67,11 @@ std::vector<std::string> methodOf(const RivalsPlan& plan) {
 std::vector<std::pair<std::string, double>> numbersOf(const RivalsMeasurement& found) {
   std::vector<std::pair<std::string, double>> numbers;
   for (const Rival rival : kRivals) {
-    numbers.emplace_back(fmt::format("{}_mean_error_percent", keyOf(rival)), 100.0 * meanErrorOf(found, rival));
-    numbers.emplace_back(fmt::format("{}_worst_error_percent", keyOf(rival)), 100.0 * errorsOf(found, rival).most);
+    numbers.emplace_back(fmt::format("{}_mean_error_percent", keyOf(rival)), 100.0 * meanError(found, rival));
+    numbers.emplace_back(fmt::format("{}_worst_error_percent", keyOf(rival)), 100.0 * errorExtent(found, rival).most);
     numbers.emplace_back(fmt::format("{}_press_us", keyOf(rival)), slowestUs(found, rival));
     numbers.emplace_back(fmt::format("{}_bytes", keyOf(rival)),
-                         rowOf(found, rival, kFittedTissue, 10.0, found.plan.common_cells).bytes);
+                         findRivalRow(found, rival, kFittedTissue, 10.0, found.plan.common_cells).bytes);
   }
   return numbers;
 }
@@ -88,7 +88,7 @@ StudyPage studyRivals(const StudySettings& settings) {
           "\"not accurate\". Nothing was measured. On the same press of the same layered body: how near to the "
           "truth is each, how long does it take, and what memory?",
       .findings = rivalFindings(found),
-      .method = methodOf(found.plan),
+      .method = describeMethod(found.plan),
       .tables = {{"rivals_table", "Every tissue and depth.", commonTable(found)},
                  {"rivals_sizes", "Other sizes, \"back_mid\" pressed 10 mm.", sizeTable(found)},
                  {"rivals_lattices", "Free form with every lattice.", latticeTable(found), false}},

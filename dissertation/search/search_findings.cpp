@@ -58,7 +58,7 @@ FindingValues strayVertices(const SearchMeasurement& found) {
 std::vector<std::string> searchFindings(const SearchMeasurement& found) {
   const FindingValues regions =
       octreeAgainst(found, &SearchRow::region_all_us, &SearchRow::region_octree_us, &SearchRow::region_rings_us);
-  return findingsOf(
+  return formatFindings(
       texts::search_findings,
       {{"touch", touchPoints(found)}, {"region", {{"leaves", regions}}}, {"stray", strayVertices(found)}});
 }

@@ -100,7 +100,7 @@ std::vector<std::string> stabilityFindings(const StabilityMeasurement& found) {
   const double error = numbers.theory_error_percent;
   const double one = onsetRange(found, 1.0, true, &OnsetRow::worst_hand).least;
   const double two = onsetRange(found, 2.0, true, &OnsetRow::worst_hand).least;
-  return findingsOf(
+  return formatFindings(
       texts::stability_findings,
       {{"onset", onsetOfOscillation(found)},
        {"delay", {{"hand", two}, {"costly", two < 0.7 * one}}},

@@ -59,7 +59,7 @@ TextTable rateTable(const std::vector<StabilityCell>& cells, std::size_t systems
 
 }  // namespace
 
-StabilityMapTotals totalsOf(const std::vector<StabilityCell>& cells) {
+StabilityMapTotals computeTotals(const std::vector<StabilityCell>& cells) {
   StabilityMapTotals totals;
   totals.cells = cells.size();
   for (const StabilityCell& cell : cells) {
@@ -75,7 +75,7 @@ StabilityMapTotals totalsOf(const std::vector<StabilityCell>& cells) {
 }
 
 StudyPage stabilityMapPage(const lab::StabilityMapPlan& plan, const std::vector<StabilityCell>& cells) {
-  const StabilityMapTotals totals = totalsOf(cells);
+  const StabilityMapTotals totals = computeTotals(cells);
   const bool holds = totals.oscillates_allowed == 0 && totals.port_energy_allowed_mj_max <= 0.01;
   StudyPage page;
   page.name = "stability_map";

@@ -44,7 +44,7 @@ double worstHand(LoopPlan plan, double factor) {
   double least = kMaxStiffness;
   for (const HandKind hand : {HandKind::stylus_x, HandKind::stylus_z, HandKind::thimble}) {
     plan.hand = device::handModel(hand);
-    least = std::min(least, lab::onsetOf(plan, kMinStiffness, least, factor));
+    least = std::min(least, lab::oscillationOnset(plan, kMinStiffness, least, factor));
   }
   return least;
 }
@@ -53,7 +53,7 @@ OnsetRow measuredOnset(scene::DeviceModel device, double delay, bool controlled,
   LoopPlan plan = loopPlan(device, HandKind::dead_load, controlled);
   plan.delay_ticks = delay;
   OnsetRow row{device, delay, controlled};
-  row.dead_load = lab::onsetOf(plan, kMinStiffness, kMaxStiffness, factor);
+  row.dead_load = lab::oscillationOnset(plan, kMinStiffness, kMaxStiffness, factor);
   row.worst_hand = worstHand(plan, factor);
   return row;
 }
@@ -80,9 +80,9 @@ RateRow measuredRate(double ticks_per_s, double factor) {
   for (const bool controlled : {false, true}) {
     plan.protection = controlled ? Protection::assumed : Protection::none;
     plan.hand = device::handModel(HandKind::dead_load);
-    (controlled ? row.on_dead : row.off_dead) = lab::onsetOf(plan, 0.05, kMaxStiffness, factor);
+    (controlled ? row.on_dead : row.off_dead) = lab::oscillationOnset(plan, 0.05, kMaxStiffness, factor);
     plan.hand = device::handModel(HandKind::stylus_z);
-    (controlled ? row.on_hand : row.off_hand) = lab::onsetOf(plan, 0.05, kMaxStiffness, factor);
+    (controlled ? row.on_hand : row.off_hand) = lab::oscillationOnset(plan, 0.05, kMaxStiffness, factor);
   }
   return row;
 }
@@ -93,7 +93,7 @@ TouchRow measuredTouch(scene::DeviceModel device, double stiffness, bool control
     LoopPlan plan = loopPlan(device, hand, controlled);
     plan.plate.stiffness_n_per_mm = stiffness;
     for (int phase = 0; phase < phases; ++phase) {
-      row.worst.takeWorst(lab::tap(plan, 500.0, static_cast<double>(phase) / phases));
+      row.worst.mergeWorst(lab::tap(plan, 500.0, static_cast<double>(phase) / phases));
     }
   }
   return row;

@@ -127,7 +127,7 @@ struct StabilityMapTotals {
   double port_energy_allowed_mj_max = 0.0;
 };
 
-StabilityMapTotals totalsOf(const std::vector<lab::StabilityCell>& cells);
+StabilityMapTotals computeTotals(const std::vector<lab::StabilityCell>& cells);
 
 StudyPage stabilityMapPage(const lab::StabilityMapPlan& plan, const std::vector<lab::StabilityCell>& cells);
 

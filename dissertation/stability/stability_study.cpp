@@ -116,7 +116,7 @@ Plot devicePlot(const StabilityMeasurement& found) {
   return plot;
 }
 
-std::vector<StudyFigure> figuresOf(const StabilityMeasurement& found) {
+std::vector<StudyFigure> makeFigures(const StabilityMeasurement& found) {
   Figure maps{.columns = 2};
   for (const MotionMap& map : found.maps) maps.panels.emplace_back(mapPlot(found.plan, map));
   return {{"stability_map",
@@ -189,7 +189,7 @@ TextTable theoryTable(const StabilityMeasurement& found) {
   return table;
 }
 
-std::vector<std::string> methodOf(const StabilityMeasurement& found) {
+std::vector<std::string> describeMethod(const StabilityMeasurement& found) {
   return {
       "Everything goes through the product's own tick: contact on a flat plate, the limiter, and a simulated device "
       "with a hand on it (`device/simulated_hand.h`), integrated in 40 steps a tick, with delay, hold, encoder, "
@@ -216,14 +216,14 @@ StudyPage studyStability(const StudySettings& settings) {
               "A sampled spring gives more than it takes, and a delay makes that worse. Up to which stiffness does a "
               "device come to rest in a hand, and what does the servo's controller change?",
           .findings = stabilityFindings(found),
-          .method = methodOf(found),
+          .method = describeMethod(found),
           .tables = {{"stability_random", "Random devices and hands.", cellTable(found)},
                      {"stability_onsets", "Where a device stops resting after a kick.", onsetTable(found)},
                      {"stability_taps", "A touch at 0.5 m/s: the worst of five hands.", touchTable(found)},
                      {"stability_presses", "Pressed at 1 Hz with a tremor, controlled: the worst of three hands.",
                       pressTable(found)},
                      {"stability_theory", "An ideal device against theory.", theoryTable(found), false}},
-          .figures = figuresOf(found),
+          .figures = makeFigures(found),
           .numbers = stabilityPairs(found),
           .numbers_on_top = true};
 }

@@ -143,12 +143,12 @@ FindingValues graphicRates(const RatesMeasurement& found) {
 std::vector<std::string> ratesFindings(const RatesMeasurement& found) {
   FindingValues no_pictures;
   if (found.renderer.empty()) no_pictures = {{"why", found.no_renderer}};
-  return findingsOf(texts::rates_findings, {{"shape", shapeOfRates(found)},
-                                            {"tick", tickBesideFrames(found)},
-                                            {"cost", costOfTriangles(found)},
-                                            {"trees", ratesOfTrees(found)},
-                                            {"graphic", graphicRates(found)},
-                                            {"no_pictures", no_pictures}});
+  return formatFindings(texts::rates_findings, {{"shape", shapeOfRates(found)},
+                                                {"tick", tickBesideFrames(found)},
+                                                {"cost", costOfTriangles(found)},
+                                                {"trees", ratesOfTrees(found)},
+                                                {"graphic", graphicRates(found)},
+                                                {"no_pictures", no_pictures}});
 }
 
 }  // namespace palpate::study

@@ -40,7 +40,7 @@ void drawLeaves(const bench::literal::Mesh& mesh, const RenderedLeaves& leaves) 
 std::optional<double> captureMicroseconds(const Drawing& drawing, const HapticModel& model,
                                           const RenderedLeaves& leaves, int runs) {
   if (!drawing) return std::nullopt;
-  const std::size_t triangles = countOf(leaves);
+  const std::size_t triangles = countTriangles(leaves);
   const auto capture = [&] { drawing->capture(triangles, [&] { drawLeaves(model.literal, leaves); }); };
   capture();  // the first time compiles shaders
   return shortestMicroseconds(runs, capture);
@@ -54,7 +54,7 @@ std::optional<double> pictureMicroseconds(const Drawing& drawing, const HapticMo
   return shortestMicroseconds(runs, paint);
 }
 
-Drawing drawingOf(const HapticModel& model, const RatesPlan& plan, RatesMeasurement& found) {
+Drawing createDrawing(const HapticModel& model, const RatesPlan& plan, RatesMeasurement& found) {
   try {
     auto drawing = std::make_unique<ImmediateDrawing>(mesh::boundingBox(model.mesh), plan.width_px, plan.height_px);
     found.renderer = drawing->renderer();
@@ -67,7 +67,7 @@ Drawing drawingOf(const HapticModel& model, const RatesPlan& plan, RatesMeasurem
 
 WholeModelRow measuredWhole(std::size_t triangles, const RatesPlan& plan, RatesMeasurement& found) {
   const HapticModel model = hapticModel(triangles, 1);
-  const Drawing drawing = drawingOf(model, plan, found);
+  const Drawing drawing = createDrawing(model, plan, found);
   std::vector<Index> all(model.mesh.triangles.size());
   std::iota(all.begin(), all.end(), Index{0});
   const RenderedLeaves leaves = wholeModel(all);
@@ -88,7 +88,7 @@ struct Pose {
   double triangles = 0.0;
 };
 
-std::vector<Pose> posesOf(const HapticModel& model, const Partition& tree) {
+std::vector<Pose> makePoses(const HapticModel& model, const Partition& tree) {
   std::vector<Pose> poses;
   hdb::LeafHits hits;
   hits.prepareFor(tree);
@@ -117,7 +117,7 @@ FrameRow measuredFrame(const HapticModel& model, const Partition& tree, const Dr
   hdb::findLeaves(tree, box, hits);
   const FrameTimes frame = literalFrame(model, &tree, pose.edge_mm, *pose.place, runs);
   FrameRow row{.triangles = pose.triangles, .edge_mm = pose.edge_mm};
-  row.draw_us = captureMicroseconds(drawing, model, leavesOf(tree, hits), runs);
+  row.draw_us = captureMicroseconds(drawing, model, collectHitLeaves(tree, hits), runs);
   row.find_us = frame.find_us;
   row.collide_us = frame.collide_us;
   row.force_us = frame.force_us;
@@ -131,7 +131,7 @@ FrameRow measuredFrame(const HapticModel& model, const Partition& tree, const Dr
 TreeRates measuredTree(const HapticModel& model, TreeKind kind, const PrintedTimings& printed, const Drawing& drawing,
                        const RatesPlan& plan) {
   const Partition tree = hdb::buildPartition(model.mesh, {.tree = kind, .threshold = 1024});
-  const std::vector<Pose> poses = posesOf(model, tree);
+  const std::vector<Pose> poses = makePoses(model, tree);
   // The printed counts are of 41,582 triangles; a smaller model renders the same share.
   const double scale = static_cast<double>(plan.partitioned) / 41582.0;
   const auto rows = [&](const std::vector<PrintedTiming>& timings) {
@@ -167,7 +167,7 @@ RatesMeasurement measureRates(const RatesPlan& plan, const Progress& progress) {
   }
   report(progress, "tables: partitioned model", static_cast<double>(plan.models.size()) / steps);
   const HapticModel model = hapticModel(plan.partitioned, plan.places);
-  const Drawing drawing = drawingOf(model, plan, found);
+  const Drawing drawing = createDrawing(model, plan, found);
   const PrintedNumbers printed = printedNumbers();
   found.bsp = measuredTree(model, TreeKind::Bsp, printed.table_3_2, drawing, plan);
   report(progress, "tables: partitioned model", 1.0 - 1.0 / steps);

@@ -25,7 +25,7 @@ struct KindLook {
   Marker marker;
 };
 
-KindLook lookOf(const FrameKind& kind) {
+KindLook kindLook(const FrameKind& kind) {
   const KindLook looks[] = {
       {figures::kBlue, Marker::circle}, {figures::kVermilion, Marker::square}, {figures::kGreen, Marker::triangle}};
   return looks[static_cast<std::size_t>(&kind - kFrameKinds.data())];
@@ -92,12 +92,12 @@ Plot treePlot(const RatesMeasurement& found, const TreeRates& rates, const Print
   plot.y.to = as_rate ? 2e7 : 500.0;
   plot.y.ticks = as_rate ? ticksAt(kRateTicks) : ticksAt(kTimeTicks);
   for (const FrameKind& kind : kFrameKinds) {
-    add(plot, fmt::format("{} (printed)", kind.name), shown(printedCurve(printed.*kind.printed)), lookOf(kind).colour,
-        lookOf(kind).marker, true);
+    add(plot, fmt::format("{} (printed)", kind.name), shown(printedCurve(printed.*kind.printed)), kindLook(kind).colour,
+        kindLook(kind).marker, true);
   }
   for (const FrameKind& kind : kFrameKinds) {
-    add(plot, fmt::format("{} (here)", kind.name), shown(measuredCurve(rates, kind)), lookOf(kind).colour,
-        lookOf(kind).marker, false);
+    add(plot, fmt::format("{} (here)", kind.name), shown(measuredCurve(rates, kind)), kindLook(kind).colour,
+        kindLook(kind).marker, false);
   }
   add(plot, "our tick", shown(tickCurve(found)), figures::kInk, Marker::none, false);
   return plot;
@@ -120,7 +120,7 @@ Figure treeFigure(const RatesMeasurement& found, const TreeRates& rates, const P
   return {.panels = {treePlot(found, rates, printed, false), treePlot(found, rates, printed, true)}, .columns = 2};
 }
 
-std::vector<StudyFigure> figuresOf(const RatesMeasurement& found) {
+std::vector<StudyFigure> makeFigures(const RatesMeasurement& found) {
   const PrintedNumbers printed = printedNumbers();
   Figure trees{.columns = 3};
   trees.panel_width_px = 380.0;
@@ -174,7 +174,7 @@ TextTable treeTable(const TreeRates& rates, const PrintedTimings& printed) {
   return table;
 }
 
-std::vector<std::string> methodOf(const RatesMeasurement& found) {
+std::vector<std::string> describeMethod(const RatesMeasurement& found) {
   const RatesPlan& plan = found.plan;
   const std::string drawing =
       found.renderer.empty()
@@ -225,11 +225,11 @@ StudyPage studyTables(const StudySettings& settings) {
               "(Table 3.1); a partition brought it back to 7 to 91 (Table 3.2), an octree a little further (Appendix "
               "B). What becomes of these tables on a computer of today, in the dissertation's way and in ours?",
           .findings = ratesFindings(found),
-          .method = methodOf(found),
+          .method = describeMethod(found),
           .tables = {{"tables_3_1_table", "Table 3.1.", wholeTable(found)},
                      {"tables_3_2_table", "Table 3.2: BSP tree.", treeTable(found.bsp, printed.table_3_2)},
                      {"tables_appendix_b_table", "Appendix B: octree.", treeTable(found.octree, printed.appendix_b)}},
-          .figures = figuresOf(found),
+          .figures = makeFigures(found),
           .numbers = numbersOf(found)};
 }
 

@@ -21,7 +21,7 @@ constexpr double kDrawingMicroseconds = 0.1;
 
 /// Extent of a value over all models and trees.
 template <class Function>
-Extent extentOf(const ThresholdMeasurement& found, Function&& value) {
+Extent overallExtent(const ThresholdMeasurement& found, Function&& value) {
   Extent extent;
   for (const std::size_t size : found.plan.sizes) {
     for (const TreeKind tree : kTrees) extent.add(value(rowsOf(found, size, tree)));
@@ -36,7 +36,7 @@ FindingValues bestThreshold(const ThresholdMeasurement& found) {
   return {{"best", loss.least > 1.0  ? "none"
                    : loss.most > 1.0 ? "some"
                                      : "all"},
-          {"fastest", extentOf(found, fastestThreshold)},
+          {"fastest", overallExtent(found, fastestThreshold)},
           {"loss", loss}};
 }
 
@@ -91,11 +91,11 @@ Extent spread(const std::vector<ThresholdRow>& rows, double ThresholdRow::*value
 
 FindingValues ourOwnList(const ThresholdMeasurement& found) {
   const auto factor = [&](double ThresholdRow::*value) {
-    return extentOf(found,
-                    [&](const std::vector<ThresholdRow>& rows) {
-                      const Extent times = spread(rows, value);
-                      return times.most / times.least;
-                    })
+    return overallExtent(found,
+                         [&](const std::vector<ThresholdRow>& rows) {
+                           const Extent times = spread(rows, value);
+                           return times.most / times.least;
+                         })
         .most;
   };
   const double ours = factor(&ThresholdRow::exact_us);
@@ -115,8 +115,8 @@ double fastestWithDrawing(std::vector<ThresholdRow> rows) {
 }
 
 FindingValues thresholdsWithDrawing(const ThresholdMeasurement& found) {
-  const Extent without = extentOf(found, fastestThreshold);
-  const Extent with = extentOf(found, fastestWithDrawing);
+  const Extent without = overallExtent(found, fastestThreshold);
+  const Extent with = overallExtent(found, fastestWithDrawing);
   return {{"drawing_us", kDrawingMicroseconds},
           {"fastest", with},
           {"lower", with.least + with.most < without.least + without.most}};
@@ -128,15 +128,15 @@ double lossAtPrinted(const std::vector<ThresholdRow>& rows) {
   return rowAt(rows, kPrintedThreshold).touched_us / fastest(rows).touched_us;
 }
 
-Extent lossesAtPrinted(const ThresholdMeasurement& found) { return extentOf(found, lossAtPrinted); }
+Extent lossesAtPrinted(const ThresholdMeasurement& found) { return overallExtent(found, lossAtPrinted); }
 
 std::vector<std::string> thresholdFindings(const ThresholdMeasurement& found) {
-  return findingsOf(texts::threshold_findings, {{"best", bestThreshold(found)},
-                                                {"size", sizesForPrinted(found)},
-                                                {"reason", findingOfLeaves(found)},
-                                                {"small_model", smallModel(found)},
-                                                {"own", ourOwnList(found)},
-                                                {"drawing", thresholdsWithDrawing(found)}});
+  return formatFindings(texts::threshold_findings, {{"best", bestThreshold(found)},
+                                                    {"size", sizesForPrinted(found)},
+                                                    {"reason", findingOfLeaves(found)},
+                                                    {"small_model", smallModel(found)},
+                                                    {"own", ourOwnList(found)},
+                                                    {"drawing", thresholdsWithDrawing(found)}});
 }
 
 }  // namespace palpate::study

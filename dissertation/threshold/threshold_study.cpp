@@ -76,7 +76,7 @@ Plot ownPlot(const ThresholdMeasurement& found) {
   return plot;
 }
 
-std::vector<StudyFigure> figuresOf(const ThresholdMeasurement& found) {
+std::vector<StudyFigure> makeFigures(const ThresholdMeasurement& found) {
   return {
       {"threshold_time",
        "A frame that tests every triangle of the leaves, for models of five sizes; the box is a quarter of the model.",
@@ -133,7 +133,7 @@ TextTable allTable(const ThresholdMeasurement& found) {
   return table;
 }
 
-std::vector<std::string> methodOf(const ThresholdPlan& plan) {
+std::vector<std::string> describeMethod(const ThresholdPlan& plan) {
   return {
       fmt::format(
           "Models: the benchmark's back. Case C; the box is a cube of a quarter of the longest edge round {} places of "
@@ -168,10 +168,10 @@ StudyPage studyThreshold(const StudySettings& settings) {
               "traversing the tree becomes more complex. Larger t causes less partition benefits. Finally, 1024 was "
               "proved as the best value\" (3.3.1). Is it, and for which size of model?",
           .findings = thresholdFindings(found),
-          .method = methodOf(found.plan),
+          .method = describeMethod(found.plan),
           .tables = {{"threshold_best_table", "The fastest threshold of every model.", bestTable(found)},
                      {"threshold_table", "Every threshold.", allTable(found), false}},
-          .figures = figuresOf(found),
+          .figures = makeFigures(found),
           .numbers = numbersOf(found)};
 }
 

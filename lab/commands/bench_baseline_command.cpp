@@ -94,7 +94,7 @@ std::string verdict(const bench::Comparison& c) {
   return fmt::format("{:.2f} x{}", c.change(), c.slower ? "  SLOWER" : "");
 }
 
-Json jsonOf(const std::vector<bench::Comparison>& all, double tolerance) {
+Json toJson(const std::vector<bench::Comparison>& all, double tolerance) {
   Json json;
   json["tolerance"] = tolerance;
   json["slower"] = Json::array();
@@ -145,7 +145,7 @@ void compareWith(const BaselineArguments& arguments) {
   const Baseline before = fittingBaseline(arguments.baselines);
   const Baseline now = measure(before.triangles, arguments.seconds);
   const auto all = bench::compared(before.kernels, now.kernels, arguments.tolerance);
-  Json json = jsonOf(all, arguments.tolerance);
+  Json json = toJson(all, arguments.tolerance);
   json["baseline"] = before.file;
   printReport(json, textOf(all, arguments.tolerance), arguments.json);
   if (std::any_of(all.begin(), all.end(), [](const bench::Comparison& c) { return c.slower; })) {
@@ -157,7 +157,8 @@ void run(const Command& bench, const BaselineArguments& arguments) {
   if (!bench.get_subcommands().empty()) return;
   if (!arguments.write.empty()) writeBaseline(arguments.write, measure(arguments.triangles, arguments.seconds));
   if (!arguments.baselines.empty()) compareWith(arguments);
-  if (arguments.baselines.empty() && arguments.write.empty()) throw UsageError::aboutWords("A subcommand is required");
+  if (arguments.baselines.empty() && arguments.write.empty())
+    throw UsageError::aboutArguments("A subcommand is required");
 }
 
 }  // namespace

@@ -24,20 +24,20 @@ struct BatchArguments {
   bool json = false;
 };
 
-double ratioOf(double value, double to) { return to > 0.0 ? value / to : 0.0; }
+double ratioOrZero(double value, double to) { return to > 0.0 ? value / to : 0.0; }
 
-Json jsonOf(const bench::BatchRates& rates, double native_ticks_per_s) {
+Json toJson(const bench::BatchRates& rates, double native_ticks_per_s) {
   Json json;
   json["ticks_per_s_core"] = rates.one_thread_ticks_per_s;
   json["ticks_per_s"] = rates.ticks_per_s;
   json["thread_scaling"] = rates.scaling();
-  json["ratio_to_native"] = ratioOf(rates.one_thread_ticks_per_s, native_ticks_per_s);
+  json["ratio_to_native"] = ratioOrZero(rates.one_thread_ticks_per_s, native_ticks_per_s);
   return json;
 }
 
-Json jsonOf(const BatchArguments& arguments, double radius_mm, const bench::BatchFigures& f) {
-  Json json = jsonOf(f.batch, f.native_ticks_per_s);
-  json["rollout"] = jsonOf(f.rollout, f.native_ticks_per_s);
+Json toJson(const BatchArguments& arguments, double radius_mm, const bench::BatchFigures& f) {
+  Json json = toJson(f.batch, f.native_ticks_per_s);
+  json["rollout"] = toJson(f.rollout, f.native_ticks_per_s);
   json["native_ticks_per_s"] = f.native_ticks_per_s;
   json["triangles"] = f.triangles;
   json["radius_mm"] = radius_mm;
@@ -52,10 +52,11 @@ Json jsonOf(const BatchArguments& arguments, double radius_mm, const bench::Batc
   return json;
 }
 
-std::string lineOf(const char* name, const bench::BatchRates& rates, std::size_t threads, double native_ticks_per_s) {
+std::string formatRateLine(const char* name, const bench::BatchRates& rates, std::size_t threads,
+                           double native_ticks_per_s) {
   return fmt::format("{:14} {:.2f} M ticks/s on one thread, {:.2f} of the loop; {:.2f} M on {}, {:.2f} times one\n",
                      name, 1e-6 * rates.one_thread_ticks_per_s,
-                     ratioOf(rates.one_thread_ticks_per_s, native_ticks_per_s), 1e-6 * rates.ticks_per_s, threads,
+                     ratioOrZero(rates.one_thread_ticks_per_s, native_ticks_per_s), 1e-6 * rates.ticks_per_s, threads,
                      rates.scaling());
 }
 
@@ -64,8 +65,8 @@ std::string textOf(const BatchArguments& arguments, double radius_mm, const benc
   text += fmt::format("fingers        {} of {} mm, {:.0f} % of {} ticks in contact\n", arguments.batch.fingers,
                       radius_mm, 100.0 * f.touching, f.pass_ticks);
   text += fmt::format("one in a loop  {:.2f} M ticks/s\n", 1e-6 * f.native_ticks_per_s);
-  text += lineOf("batch", f.batch, arguments.batch.threads, f.native_ticks_per_s);
-  text += lineOf("rollout", f.rollout, arguments.batch.threads, f.native_ticks_per_s);
+  text += formatRateLine("batch", f.batch, arguments.batch.threads, f.native_ticks_per_s);
+  text += formatRateLine("rollout", f.rollout, arguments.batch.threads, f.native_ticks_per_s);
   text += fmt::format("felt otherwise {} fingers with more threads\n", f.different);
   return text + fmt::format("allocations    {}, locks {}\n", countText(f.allocations), countText(f.locks));
 }
@@ -78,7 +79,7 @@ void runBatchBench(const BatchArguments& arguments) {
   const bench::BatchFigures figures =
       bench::measureBatch(*world, finger, *paths.tips.front(), arguments.batch, progress.callback());
   progress.clear();
-  printReport(jsonOf(arguments, finger.radius_mm, figures), textOf(arguments, finger.radius_mm, figures),
+  printReport(toJson(arguments, finger.radius_mm, figures), textOf(arguments, finger.radius_mm, figures),
               arguments.json);
 }
 

@@ -27,7 +27,7 @@ namespace {
 
 // ---- printed results of a run
 
-Json jsonOf(const bench::ContactFigures& f) {
+Json toJson(const bench::ContactFigures& f) {
   Json json;
   json["triangles"] = f.triangles;
   json["ticks"] = f.ticks;
@@ -77,8 +77,8 @@ std::string textOf(const bench::ContactFigures& f) {
   return text + fmt::format("hash                     {:016x}\n", f.hash);
 }
 
-Json jsonOf(const bench::HdbFigures& f) {
-  Json json = jsonOf(f.contact);
+Json toJson(const bench::HdbFigures& f) {
+  Json json = toJson(f.contact);
   json["hdb"] = {{"edge_mm", f.edge_mm}, {"leaves", f.leaves}, {"most_listed", f.most_listed}, {"queries", f.queries}};
   return json;
 }
@@ -107,7 +107,7 @@ struct BenchContactArguments {
 
 template <class Figures>
 void print(const BenchContactArguments& arguments, const Figures& figures) {
-  printReport(jsonOf(figures), textOf(figures), arguments.json);
+  printReport(toJson(figures), textOf(figures), arguments.json);
 }
 
 void runHdb(const BenchContactArguments& arguments) {
@@ -133,7 +133,7 @@ void runWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& w
       bench::compareContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window,
                             arguments.peers.peers, arguments.peers.seconds);
   const double p50 = comparison.ours.tick_us.p50;
-  Json json = jsonOf(comparison.ours);
+  Json json = toJson(comparison.ours);
   json["peer_queries"] = {{"segments", comparison.queries}, {"nearest", comparison.nearest_asked}};
   addPeers(json, comparison.peers, PeerTask::contact, p50);
   printReport(std::move(json), textOf(comparison.ours) + peersText(comparison.peers, PeerTask::contact, p50),
@@ -199,7 +199,7 @@ void addBenchContactCommand(Command& parent, std::vector<bench::Peer> peers, std
   addFingerOptions(command, arguments);
   addHdbOptions(command, arguments);
   addPeersOption(command, arguments.peers);
-  takesOneOf(bench::toolNames(),
+  restrictTo(bench::toolNames(),
              command.add_option("--tool", arguments.tool, "Touch with a tool of several pads instead of one finger"));
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }

@@ -22,7 +22,7 @@ void addTo(Json& json, const bench::ApplyFigures& f) {
   json["hash"] = fmt::format("{:016x}", f.hash);
 }
 
-Json jsonOf(const bench::DeformFigures& f, const bench::DeformRun& run, bool peers) {
+Json toJson(const bench::DeformFigures& f, const bench::DeformRun& run, bool peers) {
   Json json;
   json["triangles"] = f.triangles;
   json["fingers"] = run.fingers;
@@ -102,7 +102,7 @@ void addBenchDeformCommand(Command& parent) {
     arguments->run.literal = !arguments->skip_literal;
     if (!arguments->mesh.empty()) arguments->run.body = meshFrom(arguments->mesh);
     const auto figures = bench::measureDeform(arguments->run);
-    printReport(jsonOf(figures, arguments->run, arguments->peers), textOf(figures, arguments->run, arguments->peers),
+    printReport(toJson(figures, arguments->run, arguments->peers), textOf(figures, arguments->run, arguments->peers),
                 arguments->json);
   });
 }

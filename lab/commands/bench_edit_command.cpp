@@ -92,7 +92,7 @@ scene::Scene edited(const scene::Scene& scene, const Vec3& at, int edit) {
 class EditedServo {
  public:
   EditedServo(std::shared_ptr<const scene::World> world, const PressedPlace& place)
-      : world_(std::move(world)), servo_(planOf(world_, true), {place.device()}) {
+      : world_(std::move(world)), servo_(makePlan(world_, true), {place.device()}) {
     waitUntil([&] { return ticks_ > 1000; });  // it has come to rest
     force_n_ = last_n_;
     largest_step_n_ = 0.0;
@@ -102,7 +102,7 @@ class EditedServo {
     const Clock::time_point start = Clock::now();
     world_ = scene::rebuilt(*world_, scene);
     rebuild_ms.push_back(1e3 * secondsSince(start));
-    servo_.change(planOf(world_, false));
+    servo_.change(makePlan(world_, false));
     const std::uint32_t before = world_number_;
     waitUntil([&] { return world_number_ != before; });
     felt_ms.push_back(1e3 * secondsSince(start));
@@ -113,7 +113,7 @@ class EditedServo {
   servo::LoopReport stop() { return servo_.stop(); }
 
  private:
-  static engine::ServoPlan planOf(const std::shared_ptr<const scene::World>& world, bool other_body) {
+  static engine::ServoPlan makePlan(const std::shared_ptr<const scene::World>& world, bool other_body) {
     engine::ServoPlan plan = engine::servoPlan(world, engine::fingerSettings(world->scene, 1));
     plan.other_body = other_body;
     return plan;
@@ -165,8 +165,8 @@ EditFigures measureEdits(const EditArguments& arguments, const Progress& progres
   }
   const servo::LoopReport loop = servo.stop();
   return {.triangles = world->body->skin.triangles.size(),
-          .rebuild_ms = lab::percentilesOf(rebuild_ms),
-          .felt_ms = lab::percentilesOf(felt_ms),
+          .rebuild_ms = lab::computePercentiles(rebuild_ms),
+          .felt_ms = lab::computePercentiles(felt_ms),
           .ticks = loop.ticks,
           .missed_ticks = loop.overruns,
           .force_n = servo.forceN(),

@@ -68,7 +68,7 @@ constexpr double kCloseMm = 100.0;
 /// Bone triangles of the torso of 41,582 triangles.
 constexpr std::size_t kBoneTriangles = 18296;
 
-std::shared_ptr<const scene::World> backOf(const FrameRun& run) {
+std::shared_ptr<const scene::World> buildBackWorld(const FrameRun& run) {
   scene::Scene scene;
   scene.body.kind = run.trunk ? scene::BodyKind::trunk : scene::BodyKind::torso;
   scene.body.triangles = run.triangles + kBoneTriangles;
@@ -172,7 +172,7 @@ class Bench {
 
 /// Throws Error where nothing can be drawn, and for counts the body cannot have.
 FrameFigures measureFrames(const FrameRun& run) {
-  const auto world = backOf(run);
+  const auto world = buildBackWorld(run);
   const std::vector<view::FingerMark> marks = wanderingFinger(*world);
   const auto start = Clock::now();
   const view::OffscreenContext context;
@@ -187,7 +187,7 @@ FrameFigures measureFrames(const FrameRun& run) {
   } while (Clock::now() < end);
   figures.triangles = world->body->skin.triangles.size();
   for (const body::Bone& bone : world->body->anatomy.bones) figures.bone_triangles += bone.mesh.triangles.size();
-  figures.renderer = view::rendererWords();
+  figures.renderer = view::rendererString();
   figures.deform_ms = bench.mean(0);
   figures.upload_ms = bench.mean(1);
   figures.draw_ms = bench.mean(2);
@@ -197,7 +197,7 @@ FrameFigures measureFrames(const FrameRun& run) {
   return figures;
 }
 
-Json jsonOf(const FrameFigures& f) {
+Json toJson(const FrameFigures& f) {
   Json json;
   json["triangles"] = f.triangles;
   json["bone_triangles"] = f.bone_triangles;
@@ -239,7 +239,7 @@ void addBenchFrameCommand(Command& parent) {
   addSetting(command, "--triangles", run.triangles, between(1000, 4e6),
              "Triangles of the skin; 18,296 of bones come on top");
   command.add_flag("--trunk", run.trunk, "On the closed trunk (an even number of triangles) instead of the torso");
-  Choices<view::Shading> shadings = choicesOf<view::Shading>();
+  Choices<view::Shading> shadings = makeChoices<view::Shading>();
   shadings.insert(shadings.begin(), {"pbr", view::Shading::skin});
   addChoice(command, "--shading", run.shading, shadings, "Light at the vertices, or skin (pbr: its earlier name)");
   command.add_option("--stereo", arguments->stereo, "Stereo mode: mono, sbs-half, sbs-full, anaglyph-dubois, ...")
@@ -258,7 +258,7 @@ void addBenchFrameCommand(Command& parent) {
     arguments->run.stereo = view::stereoModeNamed(arguments->stereo);
     arguments->run.labels = !arguments->no_labels;
     const FrameFigures figures = measureFrames(arguments->run);
-    Json json = jsonOf(figures);
+    Json json = toJson(figures);
     std::string text = textOf(figures);
     if (arguments->peers) {
       json["peers"] = Json::object();

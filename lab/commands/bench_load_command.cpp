@@ -207,7 +207,7 @@ struct LoadArguments {
 
 double perTriangle(double value, const LoadFigures& f) { return value / static_cast<double>(f.triangles); }
 
-Json jsonOf(const std::string& file, const LoadFigures& f) {
+Json toJson(const std::string& file, const LoadFigures& f) {
   Json json;
   json["file"] = file;
   json["triangles"] = f.triangles;
@@ -244,7 +244,7 @@ std::string textOf(const LoadFigures& f) {
   return text + fmt::format("hash                 {:016x}\n", f.hash);
 }
 
-double secondsOf(const LoadFigures& f, std::string_view step) {
+double stepSeconds(const LoadFigures& f, std::string_view step) {
   for (const LoadStep& s : f.steps) {
     if (s.name == step) return s.seconds;
   }
@@ -255,7 +255,7 @@ double secondsOf(const LoadFigures& f, std::string_view step) {
 void addAssimp(const std::filesystem::path& file, const LoadFigures& f, Json& json, std::string& text) {
   try {
     const double theirs = assimpSeconds(file);
-    const double ratio = secondsOf(f, "reading") / theirs;
+    const double ratio = stepSeconds(f, "reading") / theirs;
     json["peers"]["assimp"] = {{"seconds", theirs}};
     json["ratio_to"]["assimp"] = ratio;
     text += fmt::format("assimp               {:.2f} s to read, ours {:.2f} of that with welding\n", theirs, ratio);
@@ -269,7 +269,7 @@ void runLoadBench(const LoadArguments& arguments) {
   ProgressLine progress;
   const WrittenMesh mesh(arguments.file);
   const LoadFigures figures = measureLoad(mesh.file(), progress.callback());
-  Json json = jsonOf(arguments.file, figures);
+  Json json = toJson(arguments.file, figures);
   std::string text = textOf(figures);
   if (arguments.peers) addAssimp(mesh.file(), figures, json, text);
   progress.clear();

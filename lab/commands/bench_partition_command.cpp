@@ -27,7 +27,7 @@ struct BenchPartitionArguments {
   bool json = false;
 };
 
-Json jsonOf(const BenchPartitionArguments& arguments, const bench::PartitionFigures& f) {
+Json toJson(const BenchPartitionArguments& arguments, const bench::PartitionFigures& f) {
   Json json;
   json["mesh"] = arguments.mesh;
   json["triangles"] = f.triangles;
@@ -88,7 +88,7 @@ void runPartitionBench(const BenchPartitionArguments& arguments) {
   const bench::PartitionFigures figures = bench::measurePartition(mesh, arguments.run);
   const std::vector<bench::PeerFigures> peers = measurePeers(arguments, mesh);
   progress.clear();
-  Json json = jsonOf(arguments, figures);
+  Json json = toJson(arguments, figures);
   const double p50 = figures.hdb_query_us.p50;
   if (arguments.peers.wanted) addPeers(json, peers, PeerTask::boxes, p50);
   printReport(std::move(json), textOf(figures) + peersText(peers, PeerTask::boxes, p50), arguments.json);

@@ -27,7 +27,7 @@ Json machineJson() {
 
 void printReport(Json json, const std::string& text, bool as_json) {
   json["machine"] = machineJson();
-  fmt::print("{}\n", as_json ? jsonDump(json, 2) : text + "measured on " + lab::lineOf(lab::thisMachine()));
+  fmt::print("{}\n", as_json ? jsonDump(json, 2) : text + "measured on " + lab::describeMachine(lab::thisMachine()));
 }
 
 }  // namespace palpate::app

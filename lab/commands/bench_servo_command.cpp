@@ -25,41 +25,41 @@ struct ServoArguments {
   bool json = false;
 };
 
-lab::Percentiles percentilesOf(const servo::DurationPercentiles& p) {
+lab::Percentiles toPercentiles(const servo::DurationPercentiles& p) {
   return {p.p50_us, p.p99_us, p.p99_9_us, p.max_us};
 }
 
-Json jsonOf(const servo::LoopReport& loop) {
+Json toJson(const servo::LoopReport& loop) {
   Json json;
   json["ticks"] = loop.ticks;
   json["seconds"] = loop.wall_s;
-  json["lateness_us"] = percentilesJson(percentilesOf(loop.lateness));
-  json["compute_us"] = percentilesJson(percentilesOf(loop.compute));
+  json["lateness_us"] = percentilesJson(toPercentiles(loop.lateness));
+  json["compute_us"] = percentilesJson(toPercentiles(loop.compute));
   json["overruns"] = loop.overruns;
   json["slow_ticks"] = loop.slow_ticks;
   json["stalls"] = loop.stalls;
-  json["scheduler"] = schedulerOf(loop.grant);
+  json["scheduler"] = describeScheduler(loop.grant);
   json["memory_locked"] = loop.grant.memory_locked;
   json["exact_timers"] = loop.grant.exact_timers;
   json["fallback"] = loop.grant.note;
   return json;
 }
 
-Json jsonOf(const RealtimeReport& report) {
-  Json json = jsonOf(report.loop);
+Json toJson(const RealtimeReport& report) {
+  Json json = toJson(report.loop);
   json["dropped_samples"] = report.loop.dropped_samples;
   json["display"] = {{"frames", report.display.frames},
-                     {"deform_us", percentilesJson(percentilesOf(report.display.deform))}};
+                     {"deform_us", percentilesJson(toPercentiles(report.display.deform))}};
   return json;
 }
 
 std::string textOf(const servo::LoopReport& loop) {
   std::string text = fmt::format("ticks          {} in {:.2f} s\n", loop.ticks, loop.wall_s);
-  text += fmt::format("lateness       {}\n", percentilesText(percentilesOf(loop.lateness)));
-  text += fmt::format("compute        {}\n", percentilesText(percentilesOf(loop.compute)));
+  text += fmt::format("lateness       {}\n", percentilesText(toPercentiles(loop.lateness)));
+  text += fmt::format("compute        {}\n", percentilesText(toPercentiles(loop.compute)));
   text += fmt::format("overruns       {} deadlines without a tick; {} ticks longer than a period, {} stalls\n",
                       loop.overruns, loop.slow_ticks, loop.stalls);
-  text += fmt::format("scheduler      {}, memory {}, timers {}\n", schedulerOf(loop.grant),
+  text += fmt::format("scheduler      {}, memory {}, timers {}\n", describeScheduler(loop.grant),
                       loop.grant.memory_locked ? "locked" : "not locked",
                       loop.grant.exact_timers ? "exact" : "with default slack");
   if (!loop.grant.note.empty()) text += fmt::format("               {}\n", loop.grant.note);
@@ -89,15 +89,15 @@ void runServoBench(const ServoArguments& arguments) {
   input.seconds = 0.0;  // here it is how long to measure, not how long the scene lasts
   const auto world = scene::build(sceneFor(input), progress.callback());
   const RealtimeReport ours = measureServo(*world, arguments.input.seconds, progress.display());
-  endIfAsked();  // a partial run does not count
-  Json json = jsonOf(ours);
+  throwIfInterrupted();  // a partial run does not count
+  Json json = toJson(ours);
   std::string text = textOf(ours.loop);
   addSafety(bench::measureSafety(*world, device::pathsOf(*world), std::min(kMaxSafetyS, 0.5 * arguments.input.seconds)),
             json, text);
   if (arguments.peers) {
     const auto naive = measureServo(*world, arguments.input.seconds, progress.display(), runSleepUntil).loop;
-    endIfAsked();
-    json["peers"][kNaive] = jsonOf(naive);
+    throwIfInterrupted();
+    json["peers"][kNaive] = toJson(naive);
     json["ratio_to"][kNaive] = ratio(ours.loop, naive);
     text += fmt::format("\n{}\n{}", kNaive, textOf(naive));
   }

@@ -13,7 +13,7 @@ namespace palpate::app {
 
 namespace {
 
-Json jsonOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Json toJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json toolJson(const BenchToolArguments& arguments, const bench::ToolFigures& f) {
   Json json;
@@ -30,9 +30,9 @@ Json toolJson(const BenchToolArguments& arguments, const bench::ToolFigures& f) 
   json["apart_tick_us"] = percentilesJson(f.apart_tick_us);
   json["ratio_to_apart"] = f.apart_tick_us.p50 > 0.0 ? f.tick_us.p50 / f.apart_tick_us.p50 : 0.0;
   json["different"] = f.different;
-  json["wrench"] = {{"about_mm", jsonOf(f.wrench.point)},
-                    {"force_n", jsonOf(f.wrench.force_n)},
-                    {"moment_n_mm", jsonOf(f.wrench.moment_n_mm)},
+  json["wrench"] = {{"about_mm", toJson(f.wrench.point)},
+                    {"force_n", toJson(f.wrench.force_n)},
+                    {"moment_n_mm", toJson(f.wrench.moment_n_mm)},
                     {"peak_moment_n_mm", f.peak_moment_n_mm}};
   json["allocations"] = orNull(f.counts.allocations);
   json["locks"] = orNull(f.counts.locks);

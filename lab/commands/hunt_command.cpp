@@ -115,7 +115,7 @@ void addHuntOptions(Command& command, HuntArguments& a) {
 }
 
 /// Reads the meshes. Throws Error naming the file.
-lab::HuntPlan planOf(const HuntArguments& arguments, const Progress& progress) {
+lab::HuntPlan makeHuntPlan(const HuntArguments& arguments, const Progress& progress) {
   lab::HuntPlan plan;
   plan.ticks = arguments.ticks;
   if (arguments.seconds > 0.0) plan.seconds = arguments.seconds;
@@ -140,7 +140,7 @@ double ticksPerSecond(const lab::HuntResult& result) {
   return result.seconds > 0.0 ? static_cast<double>(result.ticks) / result.seconds : 0.0;
 }
 
-std::size_t ticksOf(const lab::HuntResult& result, lab::Fault fault) {
+std::size_t faultTicks(const lab::HuntResult& result, lab::Fault fault) {
   return result.fault_ticks[static_cast<std::size_t>(fault)];
 }
 
@@ -183,7 +183,7 @@ std::vector<std::size_t> chosen(const lab::HuntResult& result, std::size_t keep)
   return picks;
 }
 
-lab::KeptCase caseOf(const lab::HuntPlan& plan, const lab::FailingPath& path) {
+lab::KeptCase makeKeptCase(const lab::HuntPlan& plan, const lab::FailingPath& path) {
   const mesh::TriangleMesh mesh = lab::huntedMesh(plan, path.body);
   const contact::FingerSettings finger = lab::huntedFinger(path.radius_mm, plan.scale);
   std::vector<Vec3> tips;
@@ -191,14 +191,14 @@ lab::KeptCase caseOf(const lab::HuntPlan& plan, const lab::FailingPath& path) {
     lab::HuntWorld world = lab::buildHuntWorld(mesh);
     tips = lab::huntedTips(world.body, path.seed, path.radius_mm, plan.scale);
     tips.resize(std::min(tips.size(), path.ticks));
-    if (plan.lumps > 0 && endAskedBy() == 0) {  // the body stays: its lumps lie under its triangles
+    if (plan.lumps > 0 && endingSignal() == 0) {  // the body stays: its lumps lie under its triangles
       lab::putLumps(world, path.body, plan.lumps);
       tips = lab::minimised(world, finger, std::move(tips), path.fault);
     }
   }
   // Making it short takes long: after a signal a case is kept as it was found.
-  lab::SmallCase small = endAskedBy() == 0 && plan.lumps == 0 ? lab::minimised(mesh, finger, tips, path.fault)
-                                                              : lab::SmallCase{mesh, tips};
+  lab::SmallCase small = endingSignal() == 0 && plan.lumps == 0 ? lab::minimised(mesh, finger, tips, path.fault)
+                                                                : lab::SmallCase{mesh, tips};
   lab::KeptCase kept{path.body,  path.seed,    path.radius_mm,        plan.scale,           plan.lumps,
                      path.fault, path.finding, std::move(small.tips), std::move(small.mesh)};
   kept.finding = lab::replay(kept).of(path.fault);
@@ -208,19 +208,19 @@ lab::KeptCase caseOf(const lab::HuntPlan& plan, const lab::FailingPath& path) {
 /// `files`: for each failing path the folder of its case, or nothing.
 Json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result, const std::vector<std::string>& files) {
   Json json;
-  json["complete"] = endAskedBy() == 0;
-  json["ended_by"] = endAskedBy() == 0 ? Json(nullptr) : Json(nameOfSignal(endAskedBy()));
+  json["complete"] = endingSignal() == 0;
+  json["ended_by"] = endingSignal() == 0 ? Json(nullptr) : Json(nameOfSignal(endingSignal()));
   json["ticks"] = result.ticks;
   json["bodies"] = result.bodies;
-  json["falls"] = ticksOf(result, lab::Fault::fall);
-  json["missed_contacts"] = ticksOf(result, lab::Fault::missed_contact);
-  json["wrong_forces"] = ticksOf(result, lab::Fault::wrong_force);
-  json["steps_over_bound"] = ticksOf(result, lab::Fault::step);
-  json["held_in_air"] = ticksOf(result, lab::Fault::held_in_air);
+  json["falls"] = faultTicks(result, lab::Fault::fall);
+  json["missed_contacts"] = faultTicks(result, lab::Fault::missed_contact);
+  json["wrong_forces"] = faultTicks(result, lab::Fault::wrong_force);
+  json["steps_over_bound"] = faultTicks(result, lab::Fault::step);
+  json["held_in_air"] = faultTicks(result, lab::Fault::held_in_air);
   json["held_in_air_open"] = result.held_in_air_open_ticks;
-  json["lump_forces"] = ticksOf(result, lab::Fault::lump_force);
-  json["lump_steps"] = ticksOf(result, lab::Fault::lump_step);
-  json["lumps_moved"] = ticksOf(result, lab::Fault::lump_moved);
+  json["lump_forces"] = faultTicks(result, lab::Fault::lump_force);
+  json["lump_steps"] = faultTicks(result, lab::Fault::lump_step);
+  json["lumps_moved"] = faultTicks(result, lab::Fault::lump_moved);
   json["held_through_body"] = result.held_through_ticks;
   json["events"] = result.events;
   json["failing_paths"] = Json::array();
@@ -242,16 +242,16 @@ std::string huntText(const lab::HuntResult& result, const std::vector<std::strin
   std::string text =
       fmt::format("ticks             {} ({} in contact) on {} bodies along {} paths, {:.0f} ticks/s\n", result.ticks,
                   result.touching_ticks, result.bodies, result.paths, ticksPerSecond(result));
-  if (endAskedBy() != 0) text += fmt::format("ended by {}, before it was done\n", nameOfSignal(endAskedBy()));
-  text += fmt::format("falls             {}\n", ticksOf(result, lab::Fault::fall));
-  text += fmt::format("missed contacts   {}\n", ticksOf(result, lab::Fault::missed_contact));
-  text += fmt::format("wrong forces      {}\n", ticksOf(result, lab::Fault::wrong_force));
-  text += fmt::format("steps over bound  {}\n", ticksOf(result, lab::Fault::step));
-  text += fmt::format("held in air       {} ({} on bodies with a border)\n", ticksOf(result, lab::Fault::held_in_air),
-                      result.held_in_air_open_ticks);
+  if (endingSignal() != 0) text += fmt::format("ended by {}, before it was done\n", nameOfSignal(endingSignal()));
+  text += fmt::format("falls             {}\n", faultTicks(result, lab::Fault::fall));
+  text += fmt::format("missed contacts   {}\n", faultTicks(result, lab::Fault::missed_contact));
+  text += fmt::format("wrong forces      {}\n", faultTicks(result, lab::Fault::wrong_force));
+  text += fmt::format("steps over bound  {}\n", faultTicks(result, lab::Fault::step));
+  text += fmt::format("held in air       {} ({} on bodies with a border)\n",
+                      faultTicks(result, lab::Fault::held_in_air), result.held_in_air_open_ticks);
   text += fmt::format("lumps             {} wrong forces, {} steps over the bound, {} wrong motions\n",
-                      ticksOf(result, lab::Fault::lump_force), ticksOf(result, lab::Fault::lump_step),
-                      ticksOf(result, lab::Fault::lump_moved));
+                      faultTicks(result, lab::Fault::lump_force), faultTicks(result, lab::Fault::lump_step),
+                      faultTicks(result, lab::Fault::lump_moved));
   text += fmt::format("held through body {}\n", result.held_through_ticks);
   text += fmt::format("events            {}\n", result.events);
   for (std::size_t i = 0; i < std::min(result.failing.size(), kMaxLines); ++i)
@@ -282,8 +282,8 @@ std::vector<std::string> writeCases(const lab::HuntPlan& plan, const lab::HuntRe
   const std::vector<std::size_t> picks = chosen(result, arguments.keep);
   for (std::size_t n = 0; n < picks.size(); ++n) {
     report(progress, "making cases short", static_cast<double>(n) / static_cast<double>(picks.size()));
-    const lab::KeptCase kept = caseOf(plan, result.failing[picks[n]]);
-    const std::filesystem::path folder = std::filesystem::path(arguments.out) / lab::folderNameOf(kept);
+    const lab::KeptCase kept = makeKeptCase(plan, result.failing[picks[n]]);
+    const std::filesystem::path folder = std::filesystem::path(arguments.out) / lab::caseFolderName(kept);
     lab::writeCase(folder, kept);
     files[picks[n]] = folder.string();
   }
@@ -307,9 +307,9 @@ void runReplay(const HuntArguments& arguments) {
 
 void runHunt(const HuntArguments& arguments) {
   ProgressLine progress;
-  lab::HuntPlan plan = planOf(arguments, progress.callback());
+  lab::HuntPlan plan = makeHuntPlan(arguments, progress.callback());
   const FinishesInOrder in_order;
-  plan.stop = [] { return endAskedBy() != 0; };
+  plan.stop = [] { return endingSignal() != 0; };
   const lab::HuntResult result = lab::hunt(plan, progress.display());
   std::vector<std::string> files(result.failing.size());
   if (!arguments.out.empty()) files = writeCases(plan, result, arguments, progress.display());

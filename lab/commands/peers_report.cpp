@@ -68,14 +68,14 @@ void handOverToPeersProgram(const PeersOption& option) {
 namespace {
 
 /// The reason for missing figures.
-std::string reasonOf(const PeerFigures& f) {
+std::string explainSkip(const PeerFigures& f) {
   return lacksPeersProgram(f) ? fmt::format("not asked, {} is not beside this program", kPeersProgram) : f.skipped;
 }
 
-Json jsonOf(const PeerFigures& f, PeerTask task) {
+Json toJson(const PeerFigures& f, PeerTask task) {
   Json json;
   if (!f.skipped.empty()) {
-    json["skipped"] = reasonOf(f);
+    json["skipped"] = explainSkip(f);
     json["package"] = f.package;
     return json;
   }
@@ -103,7 +103,7 @@ std::string answersText(const PeerFigures& f, PeerTask task) {
 }
 
 std::string textOf(const PeerFigures& f, PeerTask task, double ours_p50) {
-  if (lacksPeersProgram(f)) return fmt::format("{:<25}{}\n", f.name + ":", reasonOf(f));
+  if (lacksPeersProgram(f)) return fmt::format("{:<25}{}\n", f.name + ":", explainSkip(f));
   if (!f.skipped.empty()) return fmt::format("{:<25}{} ({})\n", f.name + ":", f.skipped, f.package);
   std::string text = fmt::format("{:<25}{}", f.name, percentilesText(f.query_us));
   if (f.query_us.p50 > 0.0) text += fmt::format(", ours takes 1/{:.1f}", f.query_us.p50 / ours_p50);
@@ -118,7 +118,7 @@ void addPeers(Json& json, std::span<const PeerFigures> peers, PeerTask task, dou
   Json all = Json::object();
   Json ratios = Json::object();
   for (const PeerFigures& f : peers) {
-    all[f.name] = jsonOf(f, task);
+    all[f.name] = toJson(f, task);
     if (f.skipped.empty() && f.query_us.p50 > 0.0) ratios[f.name] = ours_p50 / f.query_us.p50;
   }
   json["peers"] = std::move(all);

@@ -20,7 +20,7 @@ namespace palpate::lab {
 namespace {
 
 /// The value of the first line "<key> : <value>" of a file.
-std::string fieldOf(const char* file, std::string_view key) {
+std::string readProcField(const char* file, std::string_view key) {
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
     const std::size_t colon = line.find(':');
@@ -76,7 +76,7 @@ std::string kernelName() { return "unknown"; }
 }  // namespace
 
 Machine thisMachine() {
-  return {.cpu = fieldOf("/proc/cpuinfo", "model name"),
+  return {.cpu = readProcField("/proc/cpuinfo", "model name"),
           .cores = usableCores(),
           .memory_gb = memoryGb(),
           .kernel = kernelName(),
@@ -86,7 +86,7 @@ Machine thisMachine() {
           .palpate = PALPATE_VERSION};
 }
 
-std::string lineOf(const Machine& m) {
+std::string describeMachine(const Machine& m) {
   return fmt::format("{}, {} cores, {:.1f} GB, {}, SIMD {}; palpate {}, {}, {}", m.cpu, m.cores, m.memory_gb, m.kernel,
                      m.simd, m.palpate, m.compiler, m.build);
 }

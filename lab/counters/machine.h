@@ -20,6 +20,6 @@ struct Machine {
 Machine thisMachine();
 
 /// One line without a line end.
-std::string lineOf(const Machine& machine);
+std::string describeMachine(const Machine& machine);
 
 }  // namespace palpate::lab

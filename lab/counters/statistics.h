@@ -15,7 +15,7 @@ struct Percentiles {
 };
 
 /// Nearest-rank percentiles; all zero for no samples. Takes the samples by value because it sorts them.
-inline Percentiles percentilesOf(std::vector<double> samples) {
+inline Percentiles computePercentiles(std::vector<double> samples) {
   if (samples.empty()) return {};
   std::sort(samples.begin(), samples.end());
   const auto at = [&](double share) {

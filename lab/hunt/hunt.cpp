@@ -100,7 +100,7 @@ class Hunt {
   /// Takes jobs until there are none or the time is over. `progress` only from the calling thread.
   void work(const Progress& progress) {
     for (std::size_t number = next_++; !isOver(number); number = next_++) {
-      const Job job = jobOf(number);
+      const Job job = jobAt(number);
       JobResult result;
       try {
         run(job, result.sum, progress);
@@ -108,7 +108,7 @@ class Hunt {
         result.error = fmt::format("{}: {}", bodyName(plan_, job.body), error.what());
         next_ = std::size_t{1} << 60;  // stops all threads
       }
-      keep(number, job, std::move(result));
+      storeResult(number, job, std::move(result));
     }
   }
 
@@ -147,7 +147,7 @@ class Hunt {
                          : number >= jobs_.size();
   }
   /// Without an end to the ticks, bodies come one after the other, and again with other paths.
-  Job jobOf(std::size_t number) const {
+  Job jobAt(std::size_t number) const {
     if (!plan_.seconds) return jobs_[number];
     const bool endless = plan_.generated && plan_.bodies == 0;
     const std::size_t n = endless ? number + 1 : bodies();
@@ -178,7 +178,7 @@ class Hunt {
                                        : static_cast<double>(done_) / static_cast<double>(plan_.ticks);
     palpate::report(progress, "hunting", std::min(share, 1.0));
   }
-  void keep(std::size_t number, const Job& job, JobResult result) {
+  void storeResult(std::size_t number, const Job& job, JobResult result) {
     const std::lock_guard lock(mutex_);
     if (results_.size() <= number) results_.resize(number + 1);
     results_[number] = std::move(result);
@@ -237,7 +237,7 @@ mesh::TriangleMesh huntedMesh(const HuntPlan& plan, const std::string& name) {
   return mesh;
 }
 
-std::vector<Vec3> huntedTips(JudgedBody& body, std::uint64_t seed, double radius_mm, double mm) {
+std::vector<Vec3> huntedTips(OracleBody& body, std::uint64_t seed, double radius_mm, double mm) {
   Random random(seed);
   const std::vector<std::string> kinds = huntedPathKinds();
   const std::string& kind = kinds[random.below(kinds.size())];

@@ -64,6 +64,6 @@ HuntResult hunt(const HuntPlan& plan, const Progress& progress = {});
 mesh::TriangleMesh huntedMesh(const HuntPlan& plan, const std::string& name);
 
 /// The path of that seed on a body: 500 to 3,000 ticks, of any kind.
-std::vector<Vec3> huntedTips(JudgedBody& body, std::uint64_t seed, double radius_mm, double mm);
+std::vector<Vec3> huntedTips(OracleBody& body, std::uint64_t seed, double radius_mm, double mm);
 
 }  // namespace palpate::lab

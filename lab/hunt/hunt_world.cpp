@@ -22,7 +22,7 @@ HuntWorld buildHuntWorld(mesh::TriangleMesh mesh) {
   options.self_intersecting = repaired.self_intersecting;
   std::vector<double> stiffness(repaired.mesh.positions.size(), kHuntedStiffness);
   contact::Surface surface = contact::buildSurface(repaired.mesh, std::move(stiffness), options);
-  return {std::move(surface), JudgedBody(std::move(repaired.mesh), repaired.self_intersecting)};
+  return {std::move(surface), OracleBody(std::move(repaired.mesh), repaired.self_intersecting)};
 }
 
 contact::FingerSettings huntedFinger(double radius_mm, double mm) {
@@ -40,7 +40,7 @@ void putLumps(HuntWorld& world, std::string_view body, std::size_t count) {
   const mesh::TriangleMesh& mesh = world.body.mesh();
   for (std::size_t i = 0; i < count; ++i) {
     const auto triangle = static_cast<Index>(random.below(mesh.triangles.size()));
-    const Vec3 axis = world.body.normalOf(triangle);
+    const Vec3 axis = world.body.triangleNormal(triangle);
     if (axis.squaredNorm() < 0.5) continue;  // a triangle without area
     Vec3 foot = Vec3::Zero();
     for (const Index corner : mesh.triangles[triangle]) foot += mesh.positions[corner] / 3.0;
@@ -60,7 +60,7 @@ contact::LumpPlaces placesOf(const servo::FingerSolver& solver) {
 }
 
 HuntReport huntAmongLumps(HuntWorld& world, const contact::FingerSettings& finger, std::span<const Vec3> tips) {
-  HuntJudge judge(world.body, finger, kHuntedStiffness);
+  HuntOracle judge(world.body, finger, kHuntedStiffness);
   std::array<contact::FingerState, 2> states;
   LumpCheck check(*world.surface.lumps, finger, states.size());
   servo::FingerSolvers solvers = servo::makeSolvers(world.surface, nullptr, states.size());
@@ -87,7 +87,7 @@ HuntReport huntAmongLumps(HuntWorld& world, const contact::FingerSettings& finge
 
 HuntReport huntAlong(HuntWorld& world, const contact::FingerSettings& finger, std::span<const Vec3> tips) {
   if (world.surface.lumps) return huntAmongLumps(world, finger, tips);
-  HuntJudge judge(world.body, finger, kHuntedStiffness);
+  HuntOracle judge(world.body, finger, kHuntedStiffness);
   contact::FingerState state;
   for (const Vec3& tip : tips) judge.add(contact::step(world.surface, finger, state, tip));
   return judge.report();

@@ -16,7 +16,7 @@ inline constexpr double kHuntedStiffness = 0.5;
 
 struct HuntWorld {
   contact::Surface surface;
-  JudgedBody body;
+  OracleBody body;
 };
 
 /// Repaired, put in spatial order, and built as scene::build does it. Throws Error when nothing can be felt.

@@ -56,10 +56,10 @@ class Note {
  public:
   explicit Note(const std::filesystem::path& file) : file_(file.string()), text_(readFile(file, kMaxNoteBytes)) {}
 
-  std::string word(std::string_view key) const { return lineOf(key).word; }
+  std::string word(std::string_view key) const { return findLine(key).word; }
   /// In a range; without one it may also be infinite or nan, as measurements may be.
   double number(std::string_view key, const NumberRange& range = {}) const {
-    const Line line = lineOf(key);
+    const Line line = findLine(key);
     const std::optional<double> value = parseNumber(line.word);
     if (!value) throw Error::atLine(file_, line.number, fmt::format("'{}' is not a number", key));
     if (range.words().empty() || range.holds(*value)) return *value;
@@ -79,7 +79,7 @@ class Note {
     std::size_t number = 0;
     std::string word;
   };
-  Line lineOf(std::string_view key) const {
+  Line findLine(std::string_view key) const {
     std::size_t number = 0;
     for (const std::string_view line : split(text_, '\n')) {
       ++number;
@@ -119,7 +119,7 @@ KeptCase caseOfScene(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string folderNameOf(const KeptCase& kept) {
+std::string caseFolderName(const KeptCase& kept) {
   std::string name = fmt::format("{}_{}_r{}_s{}", nameOf(kept.fault), kept.body, kept.radius_mm, kept.seed);
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.') c = '_';

@@ -34,7 +34,7 @@ struct KeptCase {
 };
 
 /// "fall_pocket_r0.5_s123": letters, digits, dots and underscores.
-std::string folderNameOf(const KeptCase& kept);
+std::string caseFolderName(const KeptCase& kept);
 
 /// Makes the folder. Throws Error naming the file that cannot be written.
 void writeCase(const std::filesystem::path& folder, const KeptCase& kept);

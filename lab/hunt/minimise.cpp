@@ -21,7 +21,7 @@ class Minimiser {
   Minimiser(const FirstFault& first_fault, std::size_t most_ticks) : first_fault_(first_fault), left_(most_ticks) {}
 
   /// Keeps the path up to its fault, if it has it.
-  bool take(std::vector<Vec3> tips) {
+  bool adoptIfFaulty(std::vector<Vec3> tips) {
     if (tips.empty() || tips.size() > left_) return false;
     left_ -= tips.size();
     const std::optional<std::size_t> tick = first_fault_(tips);
@@ -36,7 +36,7 @@ class Minimiser {
     const std::vector<Vec3> whole = best_;
     while (fails + 1 < sound) {
       const std::size_t start = fails + (sound - fails) / 2;
-      (take({whole.begin() + static_cast<std::ptrdiff_t>(start), whole.end()}) ? fails : sound) = start;
+      (adoptIfFaulty({whole.begin() + static_cast<std::ptrdiff_t>(start), whole.end()}) ? fails : sound) = start;
     }
   }
   /// Leaves out runs of ticks, half of the path first and single ticks last.
@@ -46,7 +46,7 @@ class Minimiser {
         std::vector<Vec3> shorter = best_;
         const auto from = shorter.begin() + static_cast<std::ptrdiff_t>(at);
         shorter.erase(from, from + static_cast<std::ptrdiff_t>(run));
-        if (!take(std::move(shorter))) at += run;
+        if (!adoptIfFaulty(std::move(shorter))) at += run;
       }
       if (run <= 1) return;
     }
@@ -85,7 +85,7 @@ std::optional<mesh::TriangleMesh> reducedTo(const mesh::TriangleMesh& mesh, std:
 
 std::vector<Vec3> minimised(std::vector<Vec3> tips, const FirstFault& first_fault, std::size_t most_ticks) {
   Minimiser minimiser(first_fault, std::max(most_ticks, tips.size()));
-  if (!minimiser.take(tips)) return tips;
+  if (!minimiser.adoptIfFaulty(tips)) return tips;
   minimiser.cutFront();
   minimiser.thinOut();
   return std::move(minimiser).best();

@@ -77,7 +77,7 @@ bool HuntReport::clean() const {
 
 // ---- the body -----------------------------------------------------------------------------------------------------
 
-JudgedBody::JudgedBody(mesh::TriangleMesh mesh, bool self_intersecting)
+OracleBody::OracleBody(mesh::TriangleMesh mesh, bool self_intersecting)
     : mesh_(notEmpty(std::move(mesh))),
       self_intersecting_(self_intersecting),
       tree_(mesh_),
@@ -87,24 +87,24 @@ JudgedBody::JudgedBody(mesh::TriangleMesh mesh, bool self_intersecting)
       diagonal_(mesh::boundingBox(mesh_).diagonal().norm()),
       middle_(mesh::boundingBox(mesh_).center()) {}
 
-Vec3 JudgedBody::normalOf(Index triangle) const {
+Vec3 OracleBody::triangleNormal(Index triangle) const {
   const Triangle& t = mesh_.triangles[triangle];
   return mesh::areaVector2(mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]).normalized();
 }
 
 // ---- a run --------------------------------------------------------------------------------------------------------
 
-HuntJudge::HuntJudge(JudgedBody& body, const contact::FingerSettings& settings, double stiffness)
+HuntOracle::HuntOracle(OracleBody& body, const contact::FingerSettings& settings, double stiffness)
     : body_(body),
       settings_(settings),
       stiffness_(stiffness),
       force_tolerance_(1e-9 * stiffness * (settings.max_depth_mm + settings.radius_mm)) {}
 
-void HuntJudge::add(const contact::FingerOutput& o) {
+void HuntOracle::add(const contact::FingerOutput& o) {
   if (isEvent(o.status)) {
     ++report_.events;
   } else {
-    if (first_) let_be_ = body_.inside(o.tip);
+    if (first_) exempt_ = body_.inside(o.tip);
     if (!first_) judgeStep(o);
     if (touches(o)) {
       ++report_.touching_ticks;
@@ -124,7 +124,7 @@ void HuntJudge::add(const contact::FingerOutput& o) {
   ++report_.ticks;
 }
 
-void HuntJudge::judgeStep(const contact::FingerOutput& o) {
+void HuntOracle::judgeStep(const contact::FingerOutput& o) {
   const double motion = (o.tip - last_tip_).norm();
   const double bound =
       kStepShare * stiffness_ * (kProxyAndTip * motion + settings_.catch_up_mm_per_s * settings_.tick_s);
@@ -133,7 +133,7 @@ void HuntJudge::judgeStep(const contact::FingerOutput& o) {
 }
 
 /// Inside from the side of a ball's centre, where the ball still holds the point; else asked again.
-bool HuntJudge::insideBall(const Vec3& point, double distance, ClearBall& ball) {
+bool HuntOracle::insideBall(const Vec3& point, double distance, ClearBall& ball) {
   const double moved = (point - ball.centre).norm();
   const bool known = moved < std::max(ball.radius, distance - body_.tolerance());  // the segment meets no surface
   const bool inside = known && ball.radius > 0.0 ? ball.inside : body_.inside(point);
@@ -141,19 +141,19 @@ bool HuntJudge::insideBall(const Vec3& point, double distance, ClearBall& ball) 
   return inside;
 }
 
-void HuntJudge::judgeFree(const contact::FingerOutput& o) {
+void HuntOracle::judgeFree(const contact::FingerOutput& o) {
   const double moved = (o.tip - tip_ball_.centre).norm();
   if (moved + settings_.radius_mm < tip_ball_.radius && !tip_ball_.inside && past_ == Past::outside) return;
   const double distance = body_.nearest(o.tip).distance;
   if (distance <= body_.tolerance()) return;  // on the surface: unchanged
   const bool inside = insideBall(o.tip, distance, tip_ball_);
   if (!inside) {
-    judgeOverlap(o.tip, distance, !let_be_);
-    if (distance >= settings_.radius_mm) let_be_ = false;
+    judgeOverlap(o.tip, distance, !exempt_);
+    if (distance >= settings_.radius_mm) exempt_ = false;
     past_ = Past::outside;
     return;
   }
-  if (let_be_) return;
+  if (exempt_) return;
   if (past_ == Past::outside)
     found(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
   if (past_ != Past::unknown) {
@@ -163,31 +163,31 @@ void HuntJudge::judgeFree(const contact::FingerOutput& o) {
 }
 
 /// Folds that are inside out, where parts overlap, have their backs outside; a sheet is felt from its front.
-bool HuntJudge::isBackOfFold(const Vec3& point) {
+bool HuntOracle::isBackOfFold(const Vec3& point) {
   if (!body_.selfIntersecting()) return false;
   const NearestPoint nearest = body_.slow().nearestTo(point);
   return nearest.pseudo_normal.dot(point - nearest.point) < 0.0;
 }
 
-void HuntJudge::judgeOverlap(const Vec3& tip, double distance, bool from_outside) {
+void HuntOracle::judgeOverlap(const Vec3& tip, double distance, bool from_outside) {
   const double least = settings_.radius_mm * (1.0 - kOverlapShare);
   if (from_outside && distance < least && !isBackOfFold(tip))
     found(Fault::missed_contact, "distance of a free sphere's centre from the skin, mm", distance, least);
 }
 
-bool HuntJudge::isFarFromBorder(const Vec3& place, double reach) {
+bool HuntOracle::isFarFromBorder(const Vec3& place, double reach) {
   return body_.slow().distanceToBorder(place) > kBorderShare * body_.diagonal() + settings_.radius_mm + reach;
 }
 
 /// From a way to four round it, ten times as far as rounding.
-std::array<Vec3, 4> HuntJudge::waysBeside(const Vec3& from, const Vec3& to) const {
+std::array<Vec3, 4> HuntOracle::waysBeside(const Vec3& from, const Vec3& to) const {
   const Vec3 along = to - from;
   const Vec3 aside = along.unitOrthogonal() * (10.0 * body_.tolerance());
   const Vec3 across = along.normalized().cross(aside);
   return {Vec3(aside + across), Vec3(aside - across), Vec3(-aside + across), Vec3(-aside - across)};
 }
 
-bool HuntJudge::cameThroughSkin(const Vec3& tip) {
+bool HuntOracle::cameThroughSkin(const Vec3& tip) {
   const BoxTree::Crossing crossing = body_.tree().crossing(last_tip_, tip);
   if (crossing.inwards <= 0) return false;
   const double way = (tip - *crossing.entry).norm();
@@ -205,24 +205,24 @@ bool HuntJudge::cameThroughSkin(const Vec3& tip) {
 
 /// A fold that is inside out winds round what is in it the other way, a whole turn: a point that passes a front there
 /// is out of the body after it. A sheet alone never does, and leaves a half behind it.
-bool HuntJudge::cameOutOfFold(const Vec3& tip) {
+bool HuntOracle::cameOutOfFold(const Vec3& tip) {
   return body_.selfIntersecting() && body_.winding(last_tip_) < kSurelyWhole - 1.0 &&
          std::abs(body_.winding(tip)) < kSurelyWhole;
 }
 
-bool HuntJudge::wasHeldFarFromBorder(const Vec3& tip) {
+bool HuntOracle::wasHeldFarFromBorder(const Vec3& tip) {
   const double path = (kProxyAndTip - 1.0) * (tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
   // Beyond a border a sphere may be released as long as the force can have faded: as far beyond as the tip is deep.
   const bool fades = last_afloat_ && body_.slow().distanceToBorder(last_tip_) <= kFadeShare * last_reach_ + path;
   return past_ == Past::held && !fades && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
 }
 
-double HuntJudge::pointTolerance() const {
+double HuntOracle::pointTolerance() const {
   return body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : body_.tolerance();
 }
 
 /// Where a sphere is that went over a border and has had nothing but the sheet continued flat under it since.
-std::optional<Vec3> HuntJudge::afloatAt(const contact::FingerOutput& o) const {
+std::optional<Vec3> HuntOracle::afloatAt(const contact::FingerOutput& o) const {
   if ((o.status & contact::kAtBorder) == 0 && !last_afloat_) return std::nullopt;
   const double radius = settings_.radius_mm;
   const Vec3 centre = o.proxy + radius * o.normal;
@@ -231,23 +231,23 @@ std::optional<Vec3> HuntJudge::afloatAt(const contact::FingerOutput& o) const {
 }
 
 /// A sphere leaves the skin over a border only.
-void HuntJudge::judgeAfloat(const contact::FingerOutput& o) {
+void HuntOracle::judgeAfloat(const contact::FingerOutput& o) {
   const std::optional<Vec3> centre = afloatAt(o);
   if (centre && wasHeldFarFromBorder(o.tip))
     found(Fault::wrong_force, "distance of a border from where a sphere left the skin over it, mm",
           body_.slow().distanceToBorder(last_proxy_), 0.0);
-  if (centre && body_.inside(*centre) && body_.inside(o.tip)) let_be_ = true;  // both came in by an opening
+  if (centre && body_.inside(*centre) && body_.inside(o.tip)) exempt_ = true;  // both came in by an opening
   last_afloat_ = centre;
 }
 
 /// Where there is a border a tip may come in round it, and may be released at it: a fault is only what passes through
 /// the skin itself, or is released farther from any border than the proxy can go in this tick. A proxy that was on its
 /// way, or a sphere beyond the border, may have gone through the opening already.
-void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
+void HuntOracle::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   const double distance = body_.nearest(o.tip).distance;
   if (distance <= body_.tolerance()) return;
   const bool inside = body_.inside(o.tip);  // it may become so with no surface on the way
-  if (inside && let_be_) return;
+  if (inside && exempt_) return;
   const bool let_go = inside && wasHeldFarFromBorder(o.tip);
   // A sphere that is inside already is there by the opening, and its tip may join it by any way.
   const std::optional<Vec3> was_afloat = std::exchange(last_afloat_, std::nullopt);
@@ -258,7 +258,7 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   if (!inside) {
     judgeOverlapBesideBorder(o, distance);
     past_ = Past::outside;
-    let_be_ = body_.winding(o.tip) > kBeyondAnOpening;  // in doubt: in the opening, or past it already
+    exempt_ = body_.winding(o.tip) > kBeyondAnOpening;  // in doubt: in the opening, or past it already
     return;
   }
   if (came_through || let_go || past_ == Past::fallen) {
@@ -267,24 +267,24 @@ void HuntJudge::judgeFreeBesideBorder(const contact::FingerOutput& o) {
     return;
   }
   past_ = Past::unknown;
-  let_be_ = true;  // it came in by an opening
+  exempt_ = true;  // it came in by an opening
 }
 
-void HuntJudge::judgeOverlapBesideBorder(const contact::FingerOutput& o, double distance) {
+void HuntOracle::judgeOverlapBesideBorder(const contact::FingerOutput& o, double distance) {
   if (past_ != Past::outside || distance >= settings_.radius_mm) return;
   const NearestPoint nearest = body_.slow().nearestTo(o.tip);
   const bool from_front = nearest.pseudo_normal.dot(o.tip - nearest.point) > body_.tolerance();
   judgeOverlap(o.tip, distance, from_front && isFarFromBorder(nearest.point, 0.0));
 }
 
-void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
+void HuntOracle::judgeTouching(const contact::FingerOutput& o) {
   const bool has_force = !o.force.isZero(0.0);
   if (past_ == Past::outside && body_.closed() && settings_.radius_mm == 0.0 && !has_force) {
     const double depth = body_.nearest(o.tip).distance;
     if (depth > body_.tolerance() && body_.inside(o.tip))
       found(Fault::missed_contact, "depth of a tip that came in without force, mm", depth, 0.0);
   }
-  if (let_be_ && !isOnItsWay(o.status) && body_.winding(o.tip) <= kBeyondAnOpening) let_be_ = false;
+  if (exempt_ && !isOnItsWay(o.status) && body_.winding(o.tip) <= kBeyondAnOpening) exempt_ = false;
   const bool is_finite = std::isfinite(o.force.sum() + o.proxy.sum() + o.normal.sum() + o.depth_mm);
   if (is_finite && !body_.closed()) judgeAfloat(o);
   last_reach_ = (o.proxy + settings_.radius_mm * o.normal - o.tip).norm() + settings_.radius_mm;
@@ -294,7 +294,7 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
     return;
   }
   if (isOnItsWay(o.status)) return;
-  if (has_force && !let_be_) judgeHeldInAir(o);
+  if (has_force && !exempt_) judgeHeldInAir(o);
   judgeForce(o);
   if (settings_.radius_mm > 0.0) {
     judgeSphere(o);
@@ -304,7 +304,7 @@ void HuntJudge::judgeTouching(const contact::FingerOutput& o) {
 }
 
 /// A way through an edge, to rounding, meets the skin: two boxes that touch along an edge leave no gap.
-bool HuntJudge::isSkinBetween(const Vec3& from, const Vec3& to) const {
+bool HuntOracle::isSkinBetween(const Vec3& from, const Vec3& to) const {
   const auto meets = [&](const Vec3& offset) {
     const BoxTree::Crossing between = body_.tree().crossing(from + offset, to + offset);
     return between.inwards != 0 || between.entry;
@@ -315,7 +315,7 @@ bool HuntJudge::isSkinBetween(const Vec3& from, const Vec3& to) const {
 
 /// For an embedded body the nearest skin decides, unless it is that of a part within; where sheets pierce each other
 /// the winding number.
-bool HuntJudge::isOutFarFromBorders(const contact::FingerOutput& o) {
+bool HuntOracle::isOutFarFromBorders(const contact::FingerOutput& o) {
   const Vec3 centre = o.proxy + settings_.radius_mm * o.normal;
   const double reach = (centre - o.tip).norm() + settings_.radius_mm;
   const double border = body_.slow().distanceToBorder(o.tip);
@@ -330,7 +330,7 @@ bool HuntJudge::isOutFarFromBorders(const contact::FingerOutput& o) {
          body_.winding(o.tip) < kBeyondAnOpening;
 }
 
-void HuntJudge::judgeHeldInAir(const contact::FingerOutput& o) {
+void HuntOracle::judgeHeldInAir(const contact::FingerOutput& o) {
   const double clear = body_.nearest(o.tip).distance;
   const double rounding = body_.selfIntersecting() ? kTinySphereShare * body_.diagonal() : 10.0 * body_.tolerance();
   if (clear <= std::max(settings_.radius_mm, rounding)) return;
@@ -342,7 +342,7 @@ void HuntJudge::judgeHeldInAir(const contact::FingerOutput& o) {
   }
 }
 
-void HuntJudge::judgeForce(const contact::FingerOutput& o) {
+void HuntOracle::judgeForce(const contact::FingerOutput& o) {
   const double normal = o.force.dot(o.normal);
   const double tangential = (o.force - normal * o.normal).norm();
   const double most = settings_.mu_static * std::max(normal, 0.0) * (1.0 + kConeRounding) + force_tolerance_;
@@ -352,7 +352,7 @@ void HuntJudge::judgeForce(const contact::FingerOutput& o) {
     found(Fault::wrong_force, "friction, N", tangential, most);
 }
 
-void HuntJudge::judgePoint(const contact::FingerOutput& o) {
+void HuntOracle::judgePoint(const contact::FingerOutput& o) {
   const double tolerance = pointTolerance();
   const BoxTree& tree = body_.tree();
   if ((o.status & contact::kAtBorder) != 0) return;  // past the sheet, continued flat
@@ -364,12 +364,12 @@ void HuntJudge::judgePoint(const contact::FingerOutput& o) {
     if (distance > tolerance) found(Fault::wrong_force, "distance of the proxy from the skin, mm", distance, tolerance);
   }
   if (body_.selfIntersecting()) return;
-  if (named && o.force.dot(body_.normalOf(o.triangle)) >= -force_tolerance_) return;
+  if (named && o.force.dot(body_.triangleNormal(o.triangle)) >= -force_tolerance_) return;
   if (pullsFromAll(o.force, o.proxy, 10.0 * tolerance, true))
     found(Fault::wrong_force, "force into every triangle at the proxy, N", o.force.norm(), 0.0);
 }
 
-void HuntJudge::judgeSphere(const contact::FingerOutput& o) {
+void HuntOracle::judgeSphere(const contact::FingerOutput& o) {
   if ((o.status & contact::kAtBorder) != 0) return;  // past the sheet, continued flat
   const double radius = settings_.radius_mm, least = radius * (1.0 - kSinkShare);
   const Vec3 centre = o.proxy + radius * o.normal;
@@ -379,11 +379,11 @@ void HuntJudge::judgeSphere(const contact::FingerOutput& o) {
     return;
   }
   if (body_.closed()) {
-    if (insideBall(centre, near.distance, centre_ball_) && !let_be_) {
+    if (insideBall(centre, near.distance, centre_ball_) && !exempt_) {
       found(Fault::wrong_force, "depth of a touching sphere's centre inside, mm", near.distance, 0.0);
       return;
     }
-    if (let_be_) return;
+    if (exempt_) return;
   }
   // A sheet is felt from its front. Where there is a border its back may be nearer.
   if (near.distance < least && !body_.closed()) {
@@ -397,17 +397,18 @@ void HuntJudge::judgeSphere(const contact::FingerOutput& o) {
     found(Fault::wrong_force, "force towards every foot of the sphere, N", o.force.norm(), 0.0);
 }
 
-bool HuntJudge::pullsFromAll(const Vec3& force, const Vec3& place, double reach, bool by_normal) {
+bool HuntOracle::pullsFromAll(const Vec3& force, const Vec3& place, double reach, bool by_normal) {
   body_.tree().collectWithin(place, reach, nearby_);
   for (const Index triangle : nearby_) {
     const auto& corners = body_.tree().corners(body_.tree().slotOf(triangle));
-    const Vec3 out = by_normal ? body_.normalOf(triangle) : (place - nearestOnTriangle(corners, place)).normalized();
+    const Vec3 out =
+        by_normal ? body_.triangleNormal(triangle) : (place - nearestOnTriangle(corners, place)).normalized();
     if (force.dot(out) >= -force_tolerance_) return false;
   }
   return !nearby_.empty();
 }
 
-void HuntJudge::found(Fault fault, const char* what, double measured, double bound) {
+void HuntOracle::found(Fault fault, const char* what, double measured, double bound) {
   const auto kind = static_cast<std::size_t>(fault);
   if (std::exchange(last_found_[kind], tick_ + 1) == tick_ + 1) return;
   Finding& finding = report_.findings[kind];

@@ -44,7 +44,7 @@ class BoxTree {
   const std::vector<BoxNode>& nodes() const { return nodes_; }
   /// Triangles lie in slots, those of a node in a row.
   const std::array<Vec3, 3>& corners(Index slot) const { return corners_[slot]; }
-  Index triangleOf(Index slot) const { return order_[slot]; }
+  Index triangleInSlot(Index slot) const { return order_[slot]; }
   Index slotOf(Index triangle) const { return slots_[triangle]; }
   Index triangles() const { return static_cast<Index>(order_.size()); }
 
@@ -140,12 +140,12 @@ struct HuntReport {
 };
 
 /// The oracle's view of a body; immutable but for open bodies, whose `SurfaceSide` remembers: one thread at a time.
-class JudgedBody {
+class OracleBody {
  public:
   /// `mesh` as repair left it. Throws Error for one without a triangle.
-  JudgedBody(mesh::TriangleMesh mesh, bool self_intersecting);
-  JudgedBody(const JudgedBody&) = delete;  // its winding number looks at its tree
-  JudgedBody& operator=(const JudgedBody&) = delete;
+  OracleBody(mesh::TriangleMesh mesh, bool self_intersecting);
+  OracleBody(const OracleBody&) = delete;  // its winding number looks at its tree
+  OracleBody& operator=(const OracleBody&) = delete;
 
   const mesh::TriangleMesh& mesh() const { return mesh_; }
   const BoxTree& tree() const { return tree_; }
@@ -159,7 +159,7 @@ class JudgedBody {
   bool inside(const Vec3& point) const { return winding(point) > (closed_ ? 0.5 : 0.75); }
   NearPoint nearest(const Vec3& point) const { return tree_.nearest(point, 1e3 * diagonal_ + 2.0 * far(point)); }
   /// Unit; zero for a triangle without area.
-  Vec3 normalOf(Index triangle) const;
+  Vec3 triangleNormal(Index triangle) const;
   /// The slow oracle, for sides at and beyond a border.
   SurfaceSide& slow() { return slow_; }
 
@@ -178,9 +178,9 @@ class JudgedBody {
 
 /// One finger along one path: a new one is made for each. Settings and stiffness (the same everywhere, Hooke's law) in
 /// the body's units.
-class HuntJudge {
+class HuntOracle {
  public:
-  HuntJudge(JudgedBody& body, const contact::FingerSettings& settings, double stiffness);
+  HuntOracle(OracleBody& body, const contact::FingerSettings& settings, double stiffness);
 
   /// The next tick.
   void add(const contact::FingerOutput& output);
@@ -225,12 +225,12 @@ class HuntJudge {
   bool insideBall(const Vec3& point, double distance, ClearBall& ball);
   void found(Fault fault, const char* what, double measured, double bound);
 
-  JudgedBody& body_;
+  OracleBody& body_;
   contact::FingerSettings settings_;
   double stiffness_, force_tolerance_;
   std::size_t tick_ = 0;
   bool first_ = true;
-  bool let_be_ = false;              ///< inside from the start, or by an opening
+  bool exempt_ = false;              ///< inside from the start, or by an opening
   std::optional<Vec3> last_afloat_;  ///< a sphere's centre beyond a border, over the sheet continued flat
   Past past_ = Past::unknown;
   Vec3 last_tip_ = Vec3::Zero(), last_force_ = Vec3::Zero(), last_proxy_ = Vec3::Zero();

@@ -13,14 +13,14 @@ constexpr double kEnergyRounding = 1e-9;
 /// A lump moves no farther in a tick.
 constexpr double kLongestMoveMm = 0.5;
 
-Vec2 offsetOf(const contact::Lump& lump, const Vec2& moved, const Vec3& tip) {
+Vec2 tipOffset(const contact::Lump& lump, const Vec2& moved, const Vec3& tip) {
   const Vec3 away = tip - lump.foot;
   return {away.dot(lump.across) - moved.x(), away.dot(lump.up) - moved.y()};
 }
 
 /// The energy of one lump under a press whose normal does not lean.
 double energyOf(const contact::Lump& lump, const Vec2& moved, const Vec3& tip, double depth_mm) {
-  return lump.energy.at(offsetOf(lump, moved, tip).norm(), depth_mm).energy_n_mm;
+  return lump.energy.at(tipOffset(lump, moved, tip).norm(), depth_mm).energy_n_mm;
 }
 
 /// Energy of springs and presses together, with the shares that the presses have.
@@ -43,7 +43,7 @@ double energyOf(const contact::Lumps& lumps, const contact::LumpPlaces& places,
 bool facesAll(const contact::Lumps& lumps, const contact::LumpPlaces& places, const contact::LumpPress& press) {
   for (std::size_t i = 0; i < lumps.all.size(); ++i) {
     const contact::Lump& lump = lumps.all[i];
-    if (offsetOf(lump, places.moved_mm[i], press.tip).norm() > lump.energy.reachMm() + 1.0) continue;
+    if (tipOffset(lump, places.moved_mm[i], press.tip).norm() > lump.energy.reachMm() + 1.0) continue;
     if (press.normal.dot(lump.axis) < 0.51) return false;
   }
   return true;

@@ -95,7 +95,7 @@ struct CellRange {
   std::size_t x0, x1, y0, y1;
 };
 
-std::size_t cellOf(double position, double origin, double size, std::size_t cells) {
+std::size_t cellIndex(double position, double origin, double size, std::size_t cells) {
   return static_cast<std::size_t>(
       std::clamp(std::floor((position - origin) / size), 0.0, static_cast<double>(cells) - 1.0));
 }
@@ -141,10 +141,10 @@ void SurfaceSide::buildGrid() {
   const auto range_of = [&](Index t) {
     Eigen::AlignedBox3d b;
     for (const Vec3& c : corners(t)) b.extend(c);
-    return CellRange{cellOf(b.min().x(), grid_origin_.x(), cell_size_.x(), side),
-                     cellOf(b.max().x(), grid_origin_.x(), cell_size_.x(), side),
-                     cellOf(b.min().y(), grid_origin_.y(), cell_size_.y(), side),
-                     cellOf(b.max().y(), grid_origin_.y(), cell_size_.y(), side)};
+    return CellRange{cellIndex(b.min().x(), grid_origin_.x(), cell_size_.x(), side),
+                     cellIndex(b.max().x(), grid_origin_.x(), cell_size_.x(), side),
+                     cellIndex(b.min().y(), grid_origin_.y(), cell_size_.y(), side),
+                     cellIndex(b.max().y(), grid_origin_.y(), cell_size_.y(), side)};
   };
   const auto for_each_cell = [&](auto&& visit) {
     for (Index t = 0; t < mesh_.triangles.size(); ++t) {
@@ -163,8 +163,8 @@ void SurfaceSide::buildGrid() {
 }
 
 std::optional<double> SurfaceSide::heightAt(double x, double y) const {
-  const std::size_t cell = cellOf(y, grid_origin_.y(), cell_size_.y(), cells_[1]) * cells_[0] +
-                           cellOf(x, grid_origin_.x(), cell_size_.x(), cells_[0]);
+  const std::size_t cell = cellIndex(y, grid_origin_.y(), cell_size_.y(), cells_[1]) * cells_[0] +
+                           cellIndex(x, grid_origin_.x(), cell_size_.x(), cells_[0]);
   std::optional<double> height;
   for (const Index t : grid_[static_cast<Index>(cell)]) {
     const std::array<Vec3, 3> c = corners(t);

@@ -19,7 +19,7 @@ constexpr std::string_view kTrianglesOption = "--triangles=";
 constexpr std::size_t kDefaultTriangles = 41582;  // the dissertation's largest model
 
 /// Takes our own option out of the command line, where Google Benchmark would not know it.
-std::size_t takeTriangles(int& count, char** arguments) {
+std::size_t extractTrianglesOption(int& count, char** arguments) {
   std::size_t triangles = kDefaultTriangles;
   int kept = 0;
   for (int i = 0; i < count; ++i) {
@@ -46,14 +46,14 @@ void run(benchmark::State& state, const Kernel& kernel) {
 int main(int argc, char** argv) {
   using palpate::bench::Kernel;
   palpate::system::makeFailedWritesErrors();
-  const std::size_t triangles = palpate::bench::takeTriangles(argc, argv);
+  const std::size_t triangles = palpate::bench::extractTrianglesOption(argc, argv);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   if (triangles < 1000) {
     std::fputs("palpate_kernels: --triangles must be at least 1000\n", stderr);
     return 2;
   }
-  benchmark::AddCustomContext("machine", palpate::lab::lineOf(palpate::lab::thisMachine()));
+  benchmark::AddCustomContext("machine", palpate::lab::describeMachine(palpate::lab::thisMachine()));
   benchmark::AddCustomContext("triangles", std::to_string(triangles));
   for (const Kernel& kernel : palpate::bench::makeKernels(triangles)) {
     benchmark::RegisterBenchmark(kernel.name.c_str(), palpate::bench::run, kernel)->Unit(benchmark::kMicrosecond);

@@ -36,7 +36,7 @@ Vec3 capped(const Vec3& drag) {
 
 }  // namespace
 
-Deformation::Deformation(const mesh::TriangleMesh& skin) : mesh_(meshOf(skin)), rest_(skin.positions) {
+Deformation::Deformation(const mesh::TriangleMesh& skin) : mesh_(buildMesh(skin)), rest_(skin.positions) {
   for (std::size_t i = 0; i < curve_.size(); ++i) {
     const double x = kEndOfCurve * static_cast<double>(i) / static_cast<double>(curve_.size() - 1);
     curve_[i] = std::exp(-std::numbers::pi * x * x);  // (4.2), sigma^2 = 1 / (2 pi)
@@ -107,8 +107,8 @@ bool Deformation::deformNode(int node, const Touch& touch) {
 void Deformation::recalculateNormals() {
   listed_.assign(mesh_.triangles.size(), 0);
   std::list<int> changed;
-  listTrianglesOf(restored_, changed);
-  listTrianglesOf(moved_, changed);
+  collectTriangles(restored_, changed);
+  collectTriangles(moved_, changed);
   for (const int t : changed) {
     Triangle& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
     triangle.normal = triangleNormal(mesh_, triangle);
@@ -124,7 +124,7 @@ void Deformation::recalculateNormals() {
   }
 }
 
-void Deformation::listTrianglesOf(const std::list<int>& nodes, std::list<int>& changed) {
+void Deformation::collectTriangles(const std::list<int>& nodes, std::list<int>& changed) {
   for (const int node : nodes) {
     for (const int t : mesh_.vertices[static_cast<std::size_t>(node)].joint_triangles) {
       char& is_listed = listed_[static_cast<std::size_t>(t)];

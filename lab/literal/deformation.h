@@ -44,7 +44,7 @@ class Deformation {
   Ring nextRing(const Ring& ring);
   bool deformNode(int node, const Touch& touch);
   void recalculateNormals();
-  void listTrianglesOf(const std::list<int>& nodes, std::list<int>& changed);
+  void collectTriangles(const std::list<int>& nodes, std::list<int>& changed);
   Vertex& vertex(int v) { return mesh_.vertices[static_cast<std::size_t>(v)]; }
   const Vec3& rest(int v) const { return rest_[static_cast<std::size_t>(v)]; }
 

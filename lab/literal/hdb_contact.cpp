@@ -16,7 +16,7 @@ namespace {
 
 constexpr Index kLeafThreshold = 1024;
 
-const Vec3& cornerOf(const Mesh& mesh, const Triangle& triangle, int corner) {
+const Vec3& cornerPosition(const Mesh& mesh, const Triangle& triangle, int corner) {
   return mesh.vertices[static_cast<std::size_t>(triangle.corners[corner])].position;
 }
 
@@ -30,9 +30,9 @@ void visitLeaves(HdbContact& contact, const Box3& box, Visit&& visit) {
 
 /// Intersects with the plane first, then checks the place's parametric coordinates (Sunday).
 bool crosses(const Mesh& mesh, const Triangle& triangle, const Vec3& from, const Vec3& to) {
-  const Vec3& corner = cornerOf(mesh, triangle, 0);
-  const Vec3 u = cornerOf(mesh, triangle, 1) - corner;
-  const Vec3 v = cornerOf(mesh, triangle, 2) - corner;
+  const Vec3& corner = cornerPosition(mesh, triangle, 0);
+  const Vec3 u = cornerPosition(mesh, triangle, 1) - corner;
+  const Vec3 v = cornerPosition(mesh, triangle, 2) - corner;
   const Vec3 normal = u.cross(v);
   const double along = normal.dot(to - from);
   const double fraction = normal.dot(corner - from) / along;
@@ -49,7 +49,7 @@ bool crosses(const Mesh& mesh, const Triangle& triangle, const Vec3& from, const
 
 HdbContact buildHdbContact(const mesh::TriangleMesh& mesh) {
   HdbContact contact;
-  contact.mesh = meshOf(mesh);
+  contact.mesh = buildMesh(mesh);
   contact.tree = hdb::buildPartition(mesh, {.tree = hdb::TreeKind::Bsp, .threshold = kLeafThreshold});
   contact.edge_mm = hdb::hdbEdges(contact.tree.bounds).x();
   contact.leaves.prepareFor(contact.tree);
@@ -59,9 +59,9 @@ HdbContact buildHdbContact(const mesh::TriangleMesh& mesh) {
 double nearestInLeaves(HdbContact& contact, const Vec3& centre, const Vec3& point, double reach) {
   double nearest = reach * reach;
   visitLeaves(contact, hdb::hapticBox(centre, contact.edge_mm), [&](Index, const Triangle& triangle) {
-    nearest = std::min(
-        nearest, squaredDistance<double>(point, cornerOf(contact.mesh, triangle, 0),
-                                         cornerOf(contact.mesh, triangle, 1), cornerOf(contact.mesh, triangle, 2)));
+    nearest = std::min(nearest, squaredDistance<double>(point, cornerPosition(contact.mesh, triangle, 0),
+                                                        cornerPosition(contact.mesh, triangle, 1),
+                                                        cornerPosition(contact.mesh, triangle, 2)));
   });
   return nearest < reach * reach ? std::sqrt(nearest) : std::numeric_limits<double>::infinity();
 }
@@ -76,8 +76,8 @@ bool crossesInLeaves(HdbContact& contact, const Vec3& centre, const Vec3& from, 
 void trianglesInLeaves(HdbContact& contact, const Box3& box, std::vector<Index>& found) {
   found.clear();
   visitLeaves(contact, box, [&](Index index, const Triangle& triangle) {
-    Box3 own(cornerOf(contact.mesh, triangle, 0));
-    own.extend(cornerOf(contact.mesh, triangle, 1)).extend(cornerOf(contact.mesh, triangle, 2));
+    Box3 own(cornerPosition(contact.mesh, triangle, 0));
+    own.extend(cornerPosition(contact.mesh, triangle, 1)).extend(cornerPosition(contact.mesh, triangle, 2));
     if (own.intersects(box)) found.push_back(index);
   });
 }

@@ -30,7 +30,7 @@ Vec3 averagedNormal(const Mesh& mesh, const Vertex& vertex) {
   return unitOrZero(sum);
 }
 
-Mesh meshOf(const mesh::TriangleMesh& mesh) {
+Mesh buildMesh(const mesh::TriangleMesh& mesh) {
   Mesh literal;
   const mesh::IndexRows triangles_of_vertex = mesh::trianglesOfVertices(mesh);
   const mesh::IndexRows neighbours = mesh::neighboursOfVertices(mesh, triangles_of_vertex);

@@ -32,7 +32,7 @@ struct Mesh {
 };
 
 /// Lists are filled vertex by vertex, so that a fresh heap lays each list out in one piece. Indices must be in range.
-Mesh meshOf(const mesh::TriangleMesh& mesh);
+Mesh buildMesh(const mesh::TriangleMesh& mesh);
 
 /// The normal of a triangle from the positions its corners have now.
 Vec3 triangleNormal(const Mesh& mesh, const Triangle& triangle);

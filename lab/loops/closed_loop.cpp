@@ -34,8 +34,8 @@ contact::Surface plateSurface(const PlateSettings& settings) {
   return contact::buildSurface(mesh, std::move(stiffness), options);
 }
 
-servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick_s, double delay_ticks,
-                                Protection protection) {
+servo::LimiterSettings loopLimiterSettings(const device::DeviceProfile& device, double tick_s, double delay_ticks,
+                                           Protection protection) {
   scene::SafetySettings safety;
   safety.delay_ticks = delay_ticks;
   safety.passivity = safety.soft_contact = protection != Protection::none;

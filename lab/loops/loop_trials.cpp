@@ -29,13 +29,13 @@ device::HandGoal pressing(const LoopPlan& plan, double force_n) {
   return goal;
 }
 
-std::size_t ticksOf(const LoopPlan& plan, double seconds) {
+std::size_t toTicks(const LoopPlan& plan, double seconds) {
   return static_cast<std::size_t>(std::llround(seconds * plan.ticks_per_s));
 }
 
 /// A loop that rests on the plate under this force.
 ClosedLoop restingLoop(const LoopPlan& plan, double force_n, double x_mm = 0.0) {
-  LoopSettings settings = loopOf(plan);
+  LoopSettings settings = makeLoopSettings(plan);
   settings.hand.start.x() = x_mm;
   settings.hand.start.z() = -force_n / plan.plate.stiffness_n_per_mm;
   ClosedLoop loop(settings);
@@ -98,7 +98,7 @@ struct Slope {
 
 }  // namespace
 
-LoopSettings loopOf(const LoopPlan& plan) {
+LoopSettings makeLoopSettings(const LoopPlan& plan) {
   const double tick_s = 1.0 / plan.ticks_per_s;
   const double believed = plan.believed_delay_ticks < 0.0 ? plan.delay_ticks : plan.believed_delay_ticks;
   LoopSettings settings;
@@ -112,7 +112,7 @@ LoopSettings loopOf(const LoopPlan& plan) {
   settings.hand.seed = plan.seed;
   settings.plate = plan.plate;
   settings.limits =
-      limitsOf(plan.believed != nullptr ? *plan.believed : plan.device, tick_s, believed, plan.protection);
+      loopLimiterSettings(plan.believed != nullptr ? *plan.believed : plan.device, tick_s, believed, plan.protection);
   if (plan.controlled_everywhere) settings.limits.passivity.on = plan.protection != Protection::none;
   return settings;
 }
@@ -136,7 +136,7 @@ double frictionLimit(const LoopPlan& plan) {
                   2.0 * plan.device.friction_n / plan.device.encoder_mm);
 }
 
-void TapResult::takeWorst(const TapResult& other) {
+void TapResult::mergeWorst(const TapResult& other) {
   first_force_n = std::max(first_force_n, other.first_force_n);
   greatest_step_n = std::max(greatest_step_n, other.greatest_step_n);
   port_energy_mj = std::max(port_energy_mj, other.port_energy_mj);
@@ -145,10 +145,10 @@ void TapResult::takeWorst(const TapResult& other) {
 
 KickResult kick(const LoopPlan& plan, double wait_s) {
   ClosedLoop loop = restingLoop(plan, kPushN);
-  const std::size_t from = ticksOf(plan, 0.4);
-  const std::size_t until = from + ticksOf(plan, 0.004);
-  const std::size_t watched = from + ticksOf(plan, wait_s);
-  const std::size_t end = watched + ticksOf(plan, 0.4);
+  const std::size_t from = toTicks(plan, 0.4);
+  const std::size_t until = from + toTicks(plan, 0.004);
+  const std::size_t watched = from + toTicks(plan, wait_s);
+  const std::size_t end = watched + toTicks(plan, 0.4);
   const Vec3 push = loop.hand().goal.push;
   std::vector<double> height;
   std::size_t damped = 0;
@@ -169,7 +169,7 @@ KickResult kick(const LoopPlan& plan, double wait_s) {
   return result;
 }
 
-double onsetOf(LoopPlan plan, double from, double to, double factor) {
+double oscillationOnset(LoopPlan plan, double from, double to, double factor) {
   for (double stiffness = from; stiffness <= to; stiffness *= factor) {
     plan.plate.stiffness_n_per_mm = stiffness;
     if (kick(plan).oscillates(plan.device.encoder_mm)) return stiffness;
@@ -184,7 +184,7 @@ double growthOnset(LoopPlan plan, double low, double high) {
     const Vec3 push = loop.hand().goal.push;
     double early = 0.0;
     double late = 0.0;
-    for (std::size_t k = 0; k < ticksOf(plan, 1.9); ++k) {
+    for (std::size_t k = 0; k < toTicks(plan, 1.9); ++k) {
       const double time_s = static_cast<double>(k) / plan.ticks_per_s;
       loop.hand().goal.push = push - (time_s < 0.004 ? Vec3(0, 0, 0.05 * kPushN) : Vec3(0, 0, 0));
       loop.tick();
@@ -204,7 +204,7 @@ double growthOnset(LoopPlan plan, double low, double high) {
 TapResult tap(const LoopPlan& plan, double speed_mm_per_s, double phase) {
   constexpr double kFrom = 4.0;
   constexpr double kGoal = -3.0;
-  LoopSettings settings = loopOf(plan);
+  LoopSettings settings = makeLoopSettings(plan);
   settings.hand.start.z() = kFrom + phase * speed_mm_per_s / plan.ticks_per_s;
   ClosedLoop loop(settings);
   device::SimulatedHand& hand = loop.hand();
@@ -215,7 +215,7 @@ TapResult tap(const LoopPlan& plan, double speed_mm_per_s, double phase) {
   bool touching = false;
   int contacts = 0;
   double before = 0.0;
-  for (std::size_t k = 0; k < ticksOf(plan, 0.6); ++k) {
+  for (std::size_t k = 0; k < toTicks(plan, 0.6); ++k) {
     if (hand.goal.place.z() <= kGoal) hand.goal.velocity.setZero();
     const trace::Sample& sample = loop.tick();
     const bool touches = sample.contact.touch != contact::Touch::free;
@@ -249,7 +249,7 @@ PressResult press(const LoopPlan& plan) {
   double put_in = 0.0;
   double depth_before = -hand.place().z();
   double force_before = 0.0;
-  for (std::size_t k = 0; k < ticksOf(plan, 4.0); ++k) {
+  for (std::size_t k = 0; k < toTicks(plan, 4.0); ++k) {
     const double time_s = static_cast<double>(k) / plan.ticks_per_s;
     // No two presses end at the same place: else one count of the encoder would be the bias of all.
     const double share = (0.9 + 0.05 * std::floor(time_s)) * 0.5 * (1.0 - std::cos(kTwoPi * time_s));
@@ -274,7 +274,7 @@ PressResult press(const LoopPlan& plan) {
   result.slope_n_per_mm = slope.value();
   result.stiffness_bias = result.slope_n_per_mm / plan.plate.stiffness_n_per_mm - 1.0;
   result.hysteresis = lost / put_in;
-  result.damped_share = static_cast<double>(damped) / static_cast<double>(ticksOf(plan, 4.0));
+  result.damped_share = static_cast<double>(damped) / static_cast<double>(toTicks(plan, 4.0));
   result.noise_n = noise.value();
   return result;
 }
@@ -291,7 +291,7 @@ SlideResult slide(const LoopPlan& plan) {
   SlideResult result;
   double energy_at_start = 0.0;
   Vec3 before = Vec3::Zero();
-  for (std::size_t k = 0; k < ticksOf(plan, 3.4); ++k) {
+  for (std::size_t k = 0; k < toTicks(plan, 3.4); ++k) {
     const double time_s = static_cast<double>(k) / plan.ticks_per_s;
     const double moving_s = std::max(0.0, time_s - 0.4);
     hand.goal.place = goal.place;

@@ -25,8 +25,8 @@ enum class Protection : std::uint8_t {
 };
 
 /// Limits that leave the stiffness as it is: the request is rendered.
-servo::LimiterSettings limitsOf(const device::DeviceProfile& device, double tick_s, double delay_ticks,
-                                Protection protection);
+servo::LimiterSettings loopLimiterSettings(const device::DeviceProfile& device, double tick_s, double delay_ticks,
+                                           Protection protection);
 
 struct PlateSettings {
   double stiffness_n_per_mm = 1.0;
@@ -88,7 +88,7 @@ struct LoopPlan {
   std::uint64_t seed = 1;
 };
 
-LoopSettings loopOf(const LoopPlan& plan);
+LoopSettings makeLoopSettings(const LoopPlan& plan);
 
 /// A device without friction and encoder, bare, of this mass (kg) and damping (N s/mm), as in theory.
 LoopPlan idealPlan(double mass_kg, double damping_n_s_per_mm, double ticks_per_s, double delay_ticks);
@@ -111,7 +111,7 @@ struct KickResult {
 KickResult kick(const LoopPlan& plan, double wait_s = 0.4);
 
 /// The least stiffness tried that oscillates after a kick, N/mm, in steps of `factor` from `from`; `to` if none does.
-double onsetOf(LoopPlan plan, double from, double to, double factor);
+double oscillationOnset(LoopPlan plan, double from, double to, double factor);
 
 /// The least stiffness whose free oscillation about 1 N grows, N/mm, by bisection between the two; for an ideal device
 /// without friction and encoder.
@@ -126,7 +126,7 @@ struct TapResult {
   int bounces = 0;               ///< contacts after the first
 
   /// The greater of each.
-  void takeWorst(const TapResult& other);
+  void mergeWorst(const TapResult& other);
 };
 
 /// `phase`, 0 to 1: where between two samples the surface is met.

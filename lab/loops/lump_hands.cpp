@@ -26,7 +26,7 @@ constexpr double kMovingShare = 0.8;
 constexpr double kWatchedShare = 0.1;
 
 /// The most that a press of 5 mm pushes it sideways, N.
-double sidewaysOf(const contact::Lump& lump) {
+double maxSidewaysForce(const contact::Lump& lump) {
   constexpr double kPressMm = 5.0;
   double most = 0.0;
   for (double rho = 0.0; rho < lump.energy.reachMm(); rho += 0.5)
@@ -40,7 +40,7 @@ contact::Lumps mobileLump(Random& random) {
   for (;;) {
     const tissue::LumpPlace place = randomLumpPlace(random);
     contact::Lump lump = randomLump(place, Vec3::Zero(), Vec3::UnitZ(), kSkinNPerMm, random);
-    if (sidewaysOf(lump) < kLeastSidewaysN) continue;
+    if (maxSidewaysForce(lump) < kLeastSidewaysN) continue;
     loosen(lump, random);
     return {.all = {std::move(lump)}};
   }
@@ -111,7 +111,7 @@ double workAlong(const contact::Surface& plate, const contact::LumpPlaces& place
 }
 
 /// Number of turns of a value by more than this: a slow creep does not.
-int turnsOf(const std::vector<double>& values, double most) {
+int countReversals(const std::vector<double>& values, double most) {
   int turns = 0;
   int direction = 0;
   double farthest = values.front();  // in that direction
@@ -145,7 +145,8 @@ class Watch {
   }
   bool swings(double most_mm) const {
     constexpr int kThereAndBack = 2;
-    return std::ranges::any_of(tracks_, [&](const auto& track) { return turnsOf(track, most_mm) >= kThereAndBack; });
+    return std::ranges::any_of(tracks_,
+                               [&](const auto& track) { return countReversals(track, most_mm) >= kThereAndBack; });
   }
 
  private:
@@ -159,7 +160,7 @@ LoopPlan handsOver(contact::Lumps lumps, std::uint64_t number) {
   return randomLoop(cell, number);
 }
 
-std::vector<Goal> goalsOf(const device::HandModel& hand, std::size_t fingers, Random& random) {
+std::vector<Goal> drawGoals(const device::HandModel& hand, std::size_t fingers, Random& random) {
   const double aside = random.uniform(2.0, 6.0);
   const Vec2 side(aside, random.uniform(-3.0, 3.0));
   double give = 1.0 + kSkinNPerMm / hand.stiffness_n_per_mm;
@@ -170,7 +171,7 @@ std::vector<Goal> goalsOf(const device::HandModel& hand, std::size_t fingers, Ra
 }
 
 ClosedLoop loopAt(const LoopPlan& plan, std::span<const Goal> goals) {
-  LoopSettings settings = loopOf(plan);
+  LoopSettings settings = makeLoopSettings(plan);
   settings.hand.start = goals[0].at(0.0);
   for (const Goal& goal : goals.subspan(1)) settings.more_hands.push_back(goal.at(0.0));
   return ClosedLoop(settings);
@@ -181,7 +182,7 @@ HeldLumpsFigures heldOnce(const HeldLumpsPlan& plan, std::size_t number) {
   Random random((plan.seed + 1) * 0x9e3779b97f4a7c15ull + number);
   const std::size_t fingers = 1 + number % 2;
   const LoopPlan hands = handsOver(mobileLump(random), number);
-  const std::vector<Goal> goals = goalsOf(hands.hand, fingers, random);
+  const std::vector<Goal> goals = drawGoals(hands.hand, fingers, random);
   ClosedLoop loop = loopAt(hands, goals);
   const contact::LumpPlaces& places = loop.rig().fingers.front().solver.lumps->places();
   const auto ticks = static_cast<std::size_t>(plan.seconds * kTicksPerS);

@@ -22,7 +22,7 @@ constexpr std::size_t kHarmonics = 3;
 /// Steps of the plan, twice and four times as long.
 constexpr std::array<std::size_t, 3> kCoarser = {1, 2, 4};
 
-std::uint64_t seedOf(std::uint64_t seed, std::uint64_t number) {
+std::uint64_t mixSeed(std::uint64_t seed, std::uint64_t number) {
   Random random(seed * 0x9e3779b97f4a7c15ull + number);
   random.bits();
   return random.bits();
@@ -120,7 +120,7 @@ contact::Surface plateWithLumps(Random& random) {
 ClosedPathsFigures inOneWorld(const ClosedPathsPlan& plan, std::size_t world) {
   constexpr double kFingertipMm = 8.0;
   constexpr double kLeastStored = 1e-3;  // N mm; less is a path that missed its lumps
-  Random random(seedOf(plan.seed, world));
+  Random random(mixSeed(plan.seed, world));
   const contact::Surface plate = plateWithLumps(random);
   ClosedPathsFigures sum;
   sum.lumps = plate.lumps->all.size();

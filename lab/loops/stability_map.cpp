@@ -31,7 +31,7 @@ const device::DeviceProfile& believedProfile(scene::DeviceModel model, bool refu
 }
 
 /// Random stream of one system, independent of all others.
-Random randomOf(const StabilityCell& cell, std::uint64_t seed, std::size_t number) {
+Random makeCellRandom(const StabilityCell& cell, std::uint64_t seed, std::size_t number) {
   std::uint64_t mixed = seed;
   for (const std::uint64_t part : {static_cast<std::uint64_t>(cell.device), static_cast<std::uint64_t>(cell.hand),
                                    static_cast<std::uint64_t>(cell.ticks_per_s),
@@ -49,7 +49,7 @@ struct MappedSystem {
 };
 
 MappedSystem mappedSystem(const StabilityCell& cell, std::uint64_t seed, std::size_t number) {
-  Random random = randomOf(cell, seed, number);
+  Random random = makeCellRandom(cell, seed, number);
   MappedSystem system;
   LoopPlan& plan = system.plan;
   const std::vector<scene::DeviceModel>& nominal = nominalDevices();
@@ -97,7 +97,7 @@ StabilityCell measuredCell(StabilityCell cell, std::uint64_t seed, std::size_t s
   scene::SafetySettings safety;
   safety.delay_ticks = cell.delay_ticks;
   cell.cap_n_per_mm = servo::stiffnessCap(safety, believed, tick_s);
-  cell.refused = servo::whyRefused(believed, tick_s, cell.delay_ticks);
+  cell.refused = servo::refusalReason(believed, tick_s, cell.delay_ticks);
   for (std::size_t number = 0; number < systems; ++number) {
     MappedSystem system = mappedSystem(cell, seed, number);
     for (const bool controlled : {false, true}) {

@@ -10,14 +10,14 @@ namespace palpate::study {
 
 namespace {
 
-Eigen::AlignedBox2d boxOf(const std::vector<Vec2>& outline) {
+Eigen::AlignedBox2d outlineBox(const std::vector<Vec2>& outline) {
   Eigen::AlignedBox2d box;
   for (const Vec2& corner : outline) box.extend(corner);
   return box;
 }
 
 figures::Field fieldOver(const std::vector<Vec2>& outline, const MapValue& value, const MapLook& look, double step_mm) {
-  const Eigen::AlignedBox2d box = boxOf(outline);
+  const Eigen::AlignedBox2d box = outlineBox(outline);
   figures::Field field{.origin = box.min(),
                        .step = Vec2::Constant(step_mm),
                        .columns = static_cast<int>(box.sizes().x() / step_mm) + 2,
@@ -51,7 +51,7 @@ figures::Plot backMap(const std::string& title, const MapValue& value, const Map
 
 std::vector<Vec2> placesOnBack(double step_mm) {
   const std::vector<Vec2> outline = backOutline();
-  const Eigen::AlignedBox2d box = boxOf(outline);
+  const Eigen::AlignedBox2d box = outlineBox(outline);
   std::vector<Vec2> places;
   const int half_columns = static_cast<int>(std::ceil(box.sizes().x() / step_mm));
   for (double y = box.min().y(); y <= box.max().y(); y += step_mm) {

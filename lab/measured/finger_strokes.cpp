@@ -27,7 +27,7 @@ bool isInside(const Vec2& place) {
 
 Vec3 skinAt(const Vec2& place) { return {place.x(), place.y(), lab::backHeight(place.x(), place.y())}; }
 
-Vec2 directionOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
+Vec2 unitVector(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 // Air, contact, slide, as a polyline.
 std::vector<Vec3> strokeWay(const StrokeSettings& settings, Random& random) {
@@ -36,10 +36,10 @@ std::vector<Vec3> strokeWay(const StrokeSettings& settings, Random& random) {
   do {
     from.y() = random.uniform(0.0, kBackLengthMm);
     from.x() = random.uniform(0.0, kBackWidthMm);
-    direction = directionOf(random.uniform(0.0, 2.0 * std::numbers::pi));
+    direction = unitVector(random.uniform(0.0, 2.0 * std::numbers::pi));
   } while (!isInside(from) || !isInside(from + settings.slide_mm * direction));
   const double tilt = random.uniform(0.0, std::numbers::pi / 4.0);
-  const Vec2 sideways = std::sin(tilt) * directionOf(random.uniform(0.0, 2.0 * std::numbers::pi));
+  const Vec2 sideways = std::sin(tilt) * unitVector(random.uniform(0.0, 2.0 * std::numbers::pi));
   const Vec3 down = settings.depth_mm * Vec3::UnitZ();
   std::vector<Vec3> way{skinAt(from) + settings.approach_mm * Vec3(sideways.x(), sideways.y(), std::cos(tilt))};
   for (double along = 0.0; along <= settings.slide_mm; along += kWayStepMm) {

@@ -21,7 +21,7 @@ constexpr int kStrokes = 6;
 
 /// Keeps a result alive that is computed for its time only.
 template <class T>
-void keep(const T& value) {
+void doNotOptimise(const T& value) {
   volatile auto kept = value;
   (void)kept;
 }
@@ -37,7 +37,7 @@ std::vector<Index> allTriangles(const mesh::TriangleMesh& mesh) {
 HapticModel hapticModel(std::size_t triangles, int places) {
   HapticModel model;
   model.mesh = lab::backMesh(triangles);
-  model.literal = bench::literal::meshOf(model.mesh);
+  model.literal = bench::literal::buildMesh(model.mesh);
   model.places = skinPlaces(model.mesh, places);
   model.longest_edge = mesh::boundingBox(model.mesh).sizes().maxCoeff();
   return model;
@@ -56,14 +56,16 @@ FrameTimes literalFrame(const HapticModel& model, const hdb::Partition* partitio
     hits.prepareFor(*partition);
     times.find_us = shortestMicroseconds(runs, [&] {
       hdb::findLeaves(*partition, hdb::hapticBox(place.point, edge_mm), hits);
-      leaves = leavesOf(*partition, hits);
+      leaves = collectHitLeaves(*partition, hits);
     });
   }
   const Vec3 above = place.point + kAboveMm * place.normal;
   const Vec3 tip = place.point - kDepthMm * place.normal;
-  times.triangles = static_cast<double>(countOf(leaves));
-  times.collide_us = shortestMicroseconds(runs, [&] { keep(collide(model.literal, leaves, above, tip).fraction); });
-  times.force_us = shortestMicroseconds(runs, [&] { keep(touchForce(model.literal, leaves, tip, place.point).x()); });
+  times.triangles = static_cast<double>(countTriangles(leaves));
+  times.collide_us =
+      shortestMicroseconds(runs, [&] { doNotOptimise(collide(model.literal, leaves, above, tip).fraction); });
+  times.force_us =
+      shortestMicroseconds(runs, [&] { doNotOptimise(touchForce(model.literal, leaves, tip, place.point).x()); });
   return times;
 }
 
@@ -102,7 +104,7 @@ double meanTickMicroseconds(const contact::Surface& surface, int runs) {
   const double all = shortestMicroseconds(runs, [&] {
     for (const auto& stroke : strokes) {
       contact::FingerState state;
-      for (const Vec3& tip : stroke) keep(contact::step(surface, {}, state, tip).depth_mm);
+      for (const Vec3& tip : stroke) doNotOptimise(contact::step(surface, {}, state, tip).depth_mm);
     }
   });
   return all / ticks;

@@ -60,13 +60,13 @@ Vec3 nearestPoint(const Mesh& mesh, const RenderedLeaves& leaves, const Vec3& ti
 
 RenderedLeaves wholeModel(const std::vector<Index>& all_triangles) { return {std::span(all_triangles)}; }
 
-RenderedLeaves leavesOf(const hdb::Partition& partition, const hdb::LeafHits& hits) {
+RenderedLeaves collectHitLeaves(const hdb::Partition& partition, const hdb::LeafHits& hits) {
   RenderedLeaves leaves;
   for (const Index leaf : hits.leaves) leaves.push_back(hdb::trianglesOf(partition, partition.nodes[leaf]));
   return leaves;
 }
 
-std::size_t countOf(const RenderedLeaves& leaves) {
+std::size_t countTriangles(const RenderedLeaves& leaves) {
   std::size_t count = 0;
   for (const auto& leaf : leaves) count += leaf.size();
   return count;

@@ -19,8 +19,8 @@ namespace palpate::study {
 using RenderedLeaves = std::vector<std::span<const Index>>;
 
 RenderedLeaves wholeModel(const std::vector<Index>& all_triangles);
-RenderedLeaves leavesOf(const hdb::Partition& partition, const hdb::LeafHits& hits);
-std::size_t countOf(const RenderedLeaves& leaves);
+RenderedLeaves collectHitLeaves(const hdb::Partition& partition, const hdb::LeafHits& hits);
+std::size_t countTriangles(const RenderedLeaves& leaves);
 
 struct LiteralHit {
   Vec3 point = Vec3::Zero();

@@ -14,21 +14,21 @@ namespace palpate::bench {
 
 namespace {
 
-btVector3 vectorOf(const Vec3& v) {
+btVector3 toBtVector(const Vec3& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 
-btTransform transformOf(const contact::ToolPose& pose) {
+btTransform toTransform(const contact::ToolPose& pose) {
   btMatrix3x3 turn;
-  for (int row = 0; row < 3; ++row) turn[row] = vectorOf(pose.rotation.row(row));
-  return btTransform(turn, vectorOf(pose.position));
+  for (int row = 0; row < 3; ++row) turn[row] = toBtVector(pose.rotation.row(row));
+  return btTransform(turn, toBtVector(pose.position));
 }
 
 /// The skin, alone in a world of its own.
 class Skin {
  public:
   explicit Skin(const mesh::TriangleMesh& mesh) : world_(&dispatcher_, &broadphase_, &configuration_) {
-    for (const Vec3& position : mesh.positions) corners_.push_back(vectorOf(position));
+    for (const Vec3& position : mesh.positions) corners_.push_back(toBtVector(position));
     for (const auto& triangle : mesh.triangles) {
       for (const Index corner : triangle) indices_.push_back(static_cast<int>(corner));
     }
@@ -70,13 +70,14 @@ struct Part {
   std::vector<char> touches;  ///< one per pad
 };
 
-std::vector<std::unique_ptr<Part>> partsOf(const contact::ToolShape& tool) {
+std::vector<std::unique_ptr<Part>> makeParts(const contact::ToolShape& tool) {
   std::vector<std::unique_ptr<Part>> parts;
   for (std::size_t i = 0; i < tool.rest.size(); ++i) parts.push_back(std::make_unique<Part>());
   for (const contact::Pad& pad : tool.pads) {
     Part& part = *parts[pad.part];
     part.spheres.push_back(std::make_unique<btSphereShape>(static_cast<btScalar>(pad.radius_mm)));
-    part.shape.addChildShape(btTransform(btMatrix3x3::getIdentity(), vectorOf(pad.offset)), part.spheres.back().get());
+    part.shape.addChildShape(btTransform(btMatrix3x3::getIdentity(), toBtVector(pad.offset)),
+                             part.spheres.back().get());
     part.touches.push_back(0);
   }
   for (const auto& part : parts) part->object.setCollisionShape(&part->shape);
@@ -101,14 +102,14 @@ struct Touching : btCollisionWorld::ContactResultCallback {
 PeerRun<ToolAnswer> answerTool(const mesh::TriangleMesh& mesh, const ToolQueries& queries, double seconds) {
   PeerRun<ToolAnswer> run;
   const auto skin = timedBuild(mesh.triangles.size(), run, [&] { return std::make_unique<Skin>(mesh); });
-  const std::vector<std::unique_ptr<Part>> parts = partsOf(queries.shape);
+  const std::vector<std::unique_ptr<Part>> parts = makeParts(queries.shape);
   ToolAnswer answer;
   const auto ask = [&](std::size_t tick) {
     answer = {};
     for (std::size_t i = 0; i < parts.size(); ++i) {
       Part& part = *parts[i];
       std::fill(part.touches.begin(), part.touches.end(), char{0});
-      part.object.setWorldTransform(transformOf(queries.at(tick)[i]));
+      part.object.setWorldTransform(toTransform(queries.at(tick)[i]));
       Touching contacts(skin->object, part.touches);
       skin->meet(part.object, contacts);
       answer.touching += static_cast<std::size_t>(std::count(part.touches.begin(), part.touches.end(), char{1}));

@@ -25,7 +25,7 @@ using Triangles = std::vector<Kernel::Triangle_3>;
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-Point pointOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Point toPoint(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 struct Model {
   Triangles triangles;
@@ -36,7 +36,7 @@ std::unique_ptr<Model> buildModel(const mesh::TriangleMesh& mesh) {
   auto model = std::make_unique<Model>();
   model->triangles.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) {
-    model->triangles.emplace_back(pointOf(mesh.positions[a]), pointOf(mesh.positions[b]), pointOf(mesh.positions[c]));
+    model->triangles.emplace_back(toPoint(mesh.positions[a]), toPoint(mesh.positions[b]), toPoint(mesh.positions[c]));
   }
   model->tree.insert(model->triangles.cbegin(), model->triangles.cend());
   model->tree.do_not_accelerate_distance_queries();  // the hint takes the place of its tree of points
@@ -54,12 +54,12 @@ PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<c
     const ContactQuery& q = queries[i];
     answer = {};
     if (q.reach > 0.0) {
-      const Point point = pointOf(q.point);
+      const Point point = toPoint(q.point);
       hint = model->tree.closest_point_and_primitive(point, hint);
       const double distance = std::sqrt(CGAL::squared_distance(point, hint.first));
       if (distance < q.reach) answer.distance = distance;
     }
-    answer.crosses = model->tree.do_intersect(Kernel::Segment_3(pointOf(q.from), pointOf(q.to)));
+    answer.crosses = model->tree.do_intersect(Kernel::Segment_3(toPoint(q.from), toPoint(q.to)));
   };
   timeAnswers(queries.size(), seconds, run, ask, [&](std::size_t) { return answer; });
   return run;
@@ -72,14 +72,14 @@ PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const B
   found.reserve(mesh.triangles.size());
   const auto ask = [&](std::size_t i) {
     found.clear();
-    const Kernel::Iso_cuboid_3 box(pointOf(boxes[i].min()), pointOf(boxes[i].max()));
+    const Kernel::Iso_cuboid_3 box(toPoint(boxes[i].min()), toPoint(boxes[i].max()));
     model->tree.all_intersected_primitives(box, std::back_inserter(found));
   };
   std::vector<Index> triangles;
   timeAnswers(boxes.size(), seconds, run, ask, [&](std::size_t) {
     triangles.clear();
     for (const auto& place : found) triangles.push_back(static_cast<Index>(place - model->triangles.cbegin()));
-    return summaryOf(triangles);
+    return summariseTriangles(triangles);
   });
   return run;
 }

@@ -126,8 +126,8 @@ bool crosses(const Model& model, const Vec3& from, const Vec3& to) {
   return hit.hit.geomID != RTC_INVALID_GEOMETRY_ID;
 }
 
-/// `told`: the point query gets the finger's known bound, instead of its whole reach.
-template <bool told>
+/// `bounded`: the point query gets the finger's known bound, instead of its whole reach.
+template <bool bounded>
 PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<const ContactQuery> queries,
                                      double seconds) {
   PeerRun<ContactAnswer> run;
@@ -136,7 +136,7 @@ PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<c
   const auto ask = [&](std::size_t i) {
     const ContactQuery& q = queries[i];
     answer = {};
-    if (q.reach > 0.0) answer.distance = nearest(model, q.point, told ? q.bound : q.reach);
+    if (q.reach > 0.0) answer.distance = nearest(model, q.point, bounded ? q.bound : q.reach);
     answer.crosses = crosses(model, q.from, q.to);
   };
   timeAnswers(queries.size(), seconds, run, ask, [&](std::size_t) { return answer; });
@@ -176,7 +176,7 @@ PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const B
     rtcInitPointQueryContext(&context);
     rtcPointQuery(model.scene.get(), &query, &context, tryBox, &box);
   };
-  timeAnswers(boxes.size(), seconds, run, ask, [&](std::size_t) { return summaryOf(found); });
+  timeAnswers(boxes.size(), seconds, run, ask, [&](std::size_t) { return summariseTriangles(found); });
   return run;
 }
 
@@ -184,6 +184,6 @@ PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const B
 
 Peer embreePeer() { return {"embree", "libembree-dev", answerContact<false>, answerBoxes, BoxTest::triangle}; }
 
-Peer embreeToldPeer() { return {"embree_told", "libembree-dev", answerContact<true>, nullptr, BoxTest::triangle}; }
+Peer embreeBoundedPeer() { return {"embree_told", "libembree-dev", answerContact<true>, nullptr, BoxTest::triangle}; }
 
 }  // namespace palpate::bench

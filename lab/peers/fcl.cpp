@@ -96,7 +96,7 @@ PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const B
       // Which side the mesh is on is FCL's choice; the other side says NONE, -1.
       triangles.push_back(static_cast<Index>(std::max(result.getContact(k).b1, result.getContact(k).b2)));
     }
-    return summaryOf(triangles);
+    return summariseTriangles(triangles);
   });
   return run;
 }

@@ -18,12 +18,12 @@ constexpr double kTolerance = 2e-6;
 constexpr double kBoxTolerance = 1e-6;
 
 template <class OnePeer, class Answer>
-PeerFigures figuresOf(const OnePeer& peer, const PeerRun<Answer>& run) {
+PeerFigures makePeerFigures(const OnePeer& peer, const PeerRun<Answer>& run) {
   PeerFigures figures;
   figures.name = peer.name;
   figures.package = peer.package;
   figures.queries = run.asked.size();
-  figures.query_us = lab::percentilesOf(run.query_us);
+  figures.query_us = lab::computePercentiles(run.query_us);
   figures.build_ns_per_triangle = run.build_ns_per_triangle;
   figures.bytes_per_triangle = run.bytes_per_triangle;
   return figures;
@@ -155,13 +155,13 @@ bool missing(const Peer& peer) { return peer.contact == nullptr && peer.boxes ==
 
 std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const ContactWorld& world,
                                       std::span<const ContactQuery> queries, double seconds_per_peer) {
-  const mesh::TriangleMesh mesh = meshOf(world.surface);
+  const mesh::TriangleMesh mesh = extractMesh(world.surface);
   std::vector<PeerFigures> all;
   for (const Peer& peer : peers) {
     if (missing(peer)) all.push_back(notInstalled(peer));
     if (peer.contact == nullptr) continue;
     const PeerRun<ContactAnswer> run = peer.contact(mesh, queries, seconds_per_peer);
-    judge(run, world, queries, all.emplace_back(figuresOf(peer, run)));
+    judge(run, world, queries, all.emplace_back(makePeerFigures(peer, run)));
   }
   return all;
 }
@@ -174,14 +174,14 @@ std::vector<PeerFigures> comparePeers(std::span<const Peer> peers, const mesh::T
     if (missing(peer)) all.push_back(notInstalled(peer));
     if (peer.boxes == nullptr) continue;
     const PeerRun<BoxAnswer> run = peer.boxes(mesh, boxes, seconds_per_peer);
-    judge(peer, run, mesh, ours, boxes, all.emplace_back(figuresOf(peer, run)));
+    judge(peer, run, mesh, ours, boxes, all.emplace_back(makePeerFigures(peer, run)));
   }
   return all;
 }
 
 std::vector<PeerFigures> comparePeers(std::span<const ToolPeer> peers, const ContactWorld& world,
                                       const ToolQueries& queries, double seconds_per_peer) {
-  const mesh::TriangleMesh mesh = meshOf(world.surface);
+  const mesh::TriangleMesh mesh = extractMesh(world.surface);
   std::vector<PeerFigures> all;
   for (const ToolPeer& peer : peers) {
     if (peer.tool == nullptr) {
@@ -189,7 +189,7 @@ std::vector<PeerFigures> comparePeers(std::span<const ToolPeer> peers, const Con
       continue;
     }
     const PeerRun<ToolAnswer> run = peer.tool(mesh, queries, seconds_per_peer);
-    judge(run, world, queries, all.emplace_back(figuresOf(peer, run)));
+    judge(run, world, queries, all.emplace_back(makePeerFigures(peer, run)));
   }
   return all;
 }
@@ -201,7 +201,7 @@ ContactComparison compareContact(ContactWorld& world, const device::Trajectory& 
   const device::Trajectory ticks = device::resampled(trajectory, real.tick_s);
   const FingerRun run = runFinger(world.surface, contact::scaled(real, world.scale), scaledTips(ticks, world.scale));
   ContactComparison comparison;
-  comparison.ours = figuresOf(world, run, real, ticks.time_s, window);
+  comparison.ours = makePeerFigures(world, run, real, ticks.time_s, window);
   const std::vector<ContactQuery> queries = contactQueries(world, run, real, ticks.time_s, window);
   comparison.queries = queries.size();
   comparison.nearest_asked = static_cast<std::size_t>(

@@ -19,7 +19,7 @@ std::vector<Peer> linkedPeers() {
   std::vector<Peer> peers = peersWithoutLibraries();
 #ifdef PALPATE_HAS_EMBREE
   put(embreePeer(), peers);
-  peers.insert(peers.begin() + 1, embreeToldPeer());
+  peers.insert(peers.begin() + 1, embreeBoundedPeer());
 #endif
 #ifdef PALPATE_HAS_CGAL
   put(cgalPeer(), peers);

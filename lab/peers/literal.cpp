@@ -26,7 +26,7 @@ PeerRun<BoxAnswer> answerBoxes(const mesh::TriangleMesh& mesh, std::span<const B
   auto contact = timedBuild(mesh.triangles.size(), run, [&] { return literal::buildHdbContact(mesh); });
   std::vector<Index> found;
   const auto ask = [&](std::size_t i) { literal::trianglesInLeaves(contact, boxes[i], found); };
-  timeAnswers(boxes.size(), seconds, run, ask, [&](std::size_t) { return summaryOf(found); });
+  timeAnswers(boxes.size(), seconds, run, ask, [&](std::size_t) { return summariseTriangles(found); });
   return run;
 }
 

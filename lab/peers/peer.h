@@ -62,7 +62,7 @@ struct BoxAnswer {
   friend bool operator==(const BoxAnswer&, const BoxAnswer&) = default;
 };
 
-BoxAnswer summaryOf(std::span<const Index> triangles);
+BoxAnswer summariseTriangles(std::span<const Index> triangles);
 
 /// Meaning of "in the box" in a library.
 enum class BoxTest : std::uint8_t {
@@ -120,7 +120,7 @@ std::vector<ToolPeer> toolPeersWithoutLibraries();
 
 Peer embreePeer();
 /// The same, but the point query starts with the distance that the last tick's proxy proves. Contact only.
-Peer embreeToldPeer();
+Peer embreeBoundedPeer();
 Peer cgalPeer();
 Peer fclPeer();
 /// The dissertation (lab/literal/hdb_contact.h): it needs no library.

@@ -44,7 +44,7 @@ std::optional<double> heapBytes() {
 #endif
 }
 
-BoxAnswer summaryOf(std::span<const Index> triangles) {
+BoxAnswer summariseTriangles(std::span<const Index> triangles) {
   BoxAnswer answer;
   answer.count = triangles.size();
   for (const Index triangle : triangles) {

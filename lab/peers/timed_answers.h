@@ -40,7 +40,7 @@ void timeAnswers(std::size_t count, double seconds, PeerRun<Answer>& run, Ask&& 
   };
   std::vector<double> trials;
   for (std::size_t i = count / 2; i < std::min(count, count / 2 + 5); ++i) trials.push_back(microseconds_for(i));
-  run.asked = affordableQueries(count, lab::percentilesOf(trials).p50, seconds);
+  run.asked = affordableQueries(count, lab::computePercentiles(trials).p50, seconds);
   run.answers.resize(run.asked.size());
   run.query_us.resize(run.asked.size());
   for (std::size_t k = 0; k < run.asked.size(); ++k) {

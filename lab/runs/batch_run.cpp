@@ -103,12 +103,12 @@ struct PassResult {
   std::optional<std::uint64_t> allocations = 0, locks = 0;
 };
 
-std::optional<std::uint64_t> sumOf(std::optional<std::uint64_t> a, std::optional<std::uint64_t> b) {
+std::optional<std::uint64_t> addCounts(std::optional<std::uint64_t> a, std::optional<std::uint64_t> b) {
   if (!a || !b) return {};
   return *a + *b;
 }
 
-PassResult resultOf(const Pass& pass, const std::vector<Share>& shares) {
+PassResult summarisePass(const Pass& pass, const std::vector<Share>& shares) {
   PassResult result;
   Clock::time_point began = shares.front().began, ended = shares.front().ended;
   std::size_t touching = 0;
@@ -116,8 +116,8 @@ PassResult resultOf(const Pass& pass, const std::vector<Share>& shares) {
     began = std::min(began, share.began);
     ended = std::max(ended, share.ended);
     touching += share.touching;
-    result.allocations = sumOf(result.allocations, share.counts.allocations);
-    result.locks = sumOf(result.locks, share.counts.locks);
+    result.allocations = addCounts(result.allocations, share.counts.allocations);
+    result.locks = addCounts(result.locks, share.counts.locks);
   }
   const auto ticks = static_cast<double>(pass.fingers.size() * pass.finger_ticks);
   result.ticks_per_s = ticks / std::chrono::duration<double>(ended - began).count();
@@ -125,7 +125,7 @@ PassResult resultOf(const Pass& pass, const std::vector<Share>& shares) {
   return result;
 }
 
-PassResult passOf(const Pass& pass, std::size_t threads) {
+PassResult runPass(const Pass& pass, std::size_t threads) {
   std::vector<Felt> felt(pass.fingers.size());
   std::vector<Share> shares(threads);
   std::barrier start(static_cast<std::ptrdiff_t>(threads));
@@ -139,12 +139,12 @@ PassResult passOf(const Pass& pass, std::size_t threads) {
   for (std::size_t thread = 1; thread < threads; ++thread) others.emplace_back(work, thread);
   work(0);
   for (std::thread& other : others) other.join();
-  PassResult result = resultOf(pass, shares);
+  PassResult result = summarisePass(pass, shares);
   result.felt = std::move(felt);
   return result;
 }
 
-std::size_t differencesOf(const PassResult& one, const PassResult& other) {
+std::size_t countDifferences(const PassResult& one, const PassResult& other) {
   std::size_t different = 0;
   for (std::size_t i = 0; i < one.felt.size(); ++i) {
     const Felt& a = one.felt[i];
@@ -156,15 +156,15 @@ std::size_t differencesOf(const PassResult& one, const PassResult& other) {
 
 /// A pass by one thread, and one by several.
 void comparePasses(const Pass& pass, std::size_t threads, BatchRates& rates, BatchFigures& figures) {
-  const PassResult one = passOf(pass, 1);
-  const PassResult several = passOf(pass, threads);
+  const PassResult one = runPass(pass, 1);
+  const PassResult several = runPass(pass, threads);
   rates.one_thread_ticks_per_s = std::max(rates.one_thread_ticks_per_s, one.ticks_per_s);
   rates.ticks_per_s = std::max(rates.ticks_per_s, several.ticks_per_s);
   figures.touching = one.touching;
-  figures.different += differencesOf(one, several);
+  figures.different += countDifferences(one, several);
   for (const PassResult* result : {&one, &several}) {
-    figures.allocations = sumOf(figures.allocations, result->allocations);
-    figures.locks = sumOf(figures.locks, result->locks);
+    figures.allocations = addCounts(figures.allocations, result->allocations);
+    figures.locks = addCounts(figures.locks, result->locks);
   }
 }
 
@@ -189,7 +189,7 @@ BatchFigures measureBatch(const scene::World& world, const contact::FingerSettin
   const Clock::time_point start = Clock::now();
   for (int round = 0; round < kMinBatchRounds || secondsSince(start) < settings.seconds; ++round) {
     report(progress, "stepping", std::min(1.0, secondsSince(start) / settings.seconds));
-    figures.native_ticks_per_s = std::max(figures.native_ticks_per_s, passOf(native, 1).ticks_per_s);
+    figures.native_ticks_per_s = std::max(figures.native_ticks_per_s, runPass(native, 1).ticks_per_s);
     comparePasses(batch, settings.threads, figures.batch, figures);
     comparePasses(rollout, settings.threads, figures.rollout, figures);
   }

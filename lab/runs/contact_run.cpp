@@ -22,7 +22,7 @@ constexpr double kMinNormalForceN = 1e-3;
 
 bool inContact(const contact::FingerOutput& output) { return output.touch != contact::Touch::free; }
 
-std::vector<lab::Observation> observationsOf(const FingerRun& run, double radius) {
+std::vector<lab::Observation> toObservations(const FingerRun& run, double radius) {
   std::vector<lab::Observation> ticks;
   ticks.reserve(run.outputs.size());
   for (const contact::FingerOutput& o : run.outputs) {
@@ -58,7 +58,7 @@ class FigureSum {
     if (inContact(now)) addFriction(now);
   }
   ContactFigures finish() {
-    figures_.lag_mm = lab::percentilesOf(std::move(lag_mm_));
+    figures_.lag_mm = lab::computePercentiles(std::move(lag_mm_));
     FrictionFigures& f = figures_.friction;
     if (f.slip_ticks > 0) f.kinetic /= static_cast<double>(f.slip_ticks);
     return figures_;
@@ -98,7 +98,7 @@ class FigureSum {
 
 }  // namespace
 
-mesh::TriangleMesh meshOf(const contact::Surface& surface) {
+mesh::TriangleMesh extractMesh(const contact::Surface& surface) {
   mesh::TriangleMesh mesh;
   mesh.positions.assign(surface.geometry->vertex_normals.size(), Vec3::Zero());
   mesh.triangles.resize(surface.geometry->tree.records.size());
@@ -140,8 +140,8 @@ FingerRun runFinger(const contact::Surface& surface, const contact::FingerSettin
                   [&](const Vec3& tip) { return contact::step(surface, settings, state, tip, nullptr, skin.get()); });
 }
 
-ContactFigures figuresOf(ContactWorld& world, const FingerRun& run, const contact::FingerSettings& real,
-                         std::span<const double> time_s, const Window& window) {
+ContactFigures computeFigures(ContactWorld& world, const FingerRun& run, const contact::FingerSettings& real,
+                              std::span<const double> time_s, const Window& window) {
   FigureSum sum(world.scale);
   std::vector<double> tick_us;
   std::size_t ticks = 0;
@@ -154,9 +154,9 @@ ContactFigures figuresOf(ContactWorld& world, const FingerRun& run, const contac
   ContactFigures figures = sum.finish();
   figures.triangles = world.triangles;
   figures.ticks = ticks;
-  figures.tick_us = lab::percentilesOf(std::move(tick_us));
+  figures.tick_us = lab::computePercentiles(std::move(tick_us));
   const double radius = real.radius_mm * world.scale;
-  const std::vector<lab::Observation> observations = observationsOf(run, radius);
+  const std::vector<lab::Observation> observations = toObservations(run, radius);
   figures.falls = lab::checkFalls(world.side, observations, radius);
   if (radius > 0.0) figures.sphere = lab::checkSphere(world.side, observations, radius);
   figures.counts = run.counts;
@@ -177,7 +177,7 @@ ContactFigures measureContact(ContactWorld& world, const device::Trajectory& tra
     for (std::size_t k = 0; k < run.tick_us.size(); ++k) again.tick_us[k] = std::min(run.tick_us[k], again.tick_us[k]);
     run = std::move(again);
   }
-  return figuresOf(world, run, real, ticks.time_s, window);
+  return computeFigures(world, run, real, ticks.time_s, window);
 }
 
 }  // namespace palpate::bench

@@ -1,8 +1,8 @@
 // Runs one finger along one trajectory and measures it: the numbers of `palpate study bench contact` and of the contact
 // bars.
 //
-// mesh file -> scaled -> repaired -> ContactWorld -> runFinger (timed, nothing else in the loop) -> figuresOf (in mm
-// and N, whatever the scale was). The outputs stay available, so that a tick can be looked at.
+// mesh file -> scaled -> repaired -> ContactWorld -> runFinger (timed, nothing else in the loop) -> computeFigures (in
+// mm and N, whatever the scale was). The outputs stay available, so that a tick can be looked at.
 #pragma once
 
 #include <cstdint>
@@ -38,7 +38,7 @@ struct ContactWorld {
 ContactWorld buildContactWorld(mesh::TriangleMesh mesh_mm, double scale = 1.0, double stiffness_n_per_mm = 0.5);
 
 /// The repaired mesh that a contact surface was built from, in the surface's units, its triangles in their own order.
-mesh::TriangleMesh meshOf(const contact::Surface& surface);
+mesh::TriangleMesh extractMesh(const contact::Surface& surface);
 
 /// Result of a run, in the world's units (N for forces).
 struct FingerRun {
@@ -87,8 +87,8 @@ ContactFigures measureContact(ContactWorld& world, const device::Trajectory& tra
                               const contact::FingerSettings& real, const Window& window = {}, int rounds = 1);
 
 /// The figures of a run that was made already.
-ContactFigures figuresOf(ContactWorld& world, const FingerRun& run, const contact::FingerSettings& real,
-                         std::span<const double> time_s, const Window& window = {});
+ContactFigures computeFigures(ContactWorld& world, const FingerRun& run, const contact::FingerSettings& real,
+                              std::span<const double> time_s, const Window& window = {});
 
 /// The tips in the world's units.
 std::vector<Vec3> scaledTips(const device::Trajectory& ticks, double scale);

@@ -101,7 +101,7 @@ std::vector<Contacts> wanderingContacts(const mesh::TriangleMesh& mesh, const De
   return places;
 }
 
-literal::Touch touchOf(const deform::Contact& contact) {
+literal::Touch toTouch(const deform::Contact& contact) {
   const maps::SurfaceEllipse& ellipse = contact.normal_region;
   return {.anchor = contact.anchor,
           .anchor_triangle = static_cast<int>(contact.anchor_triangle),
@@ -143,13 +143,13 @@ void repeat(std::size_t places, double seconds, Timings& timings, const Step& st
   } while (Clock::now() < end);
 }
 
-ApplyFigures figuresOf(Timings timings, std::size_t places, double moved) {
+ApplyFigures summariseTimings(Timings timings, std::size_t places, double moved) {
   ApplyFigures figures;
   const double round_ns = timings.bestRoundNs(places);
   figures.vertices = moved / static_cast<double>(places);
   figures.ns_per_vertex = round_ns / moved;
   figures.us_per_frame = 1e-3 * round_ns / static_cast<double>(places);
-  figures.apply_us = lab::percentilesOf(std::move(timings.all_us));
+  figures.apply_us = lab::computePercentiles(std::move(timings.all_us));
   return figures;
 }
 
@@ -202,7 +202,7 @@ void timeEngine(const deform::Skin& skin, const std::vector<Contacts>& places, c
   const auto before = lab::allocationsOfThisThread();
   repeat(kPlaces, run.seconds, timings, [&](std::size_t place) { deformer.apply(places[place], surface); });
   if (before) figures.allocations = *lab::allocationsOfThisThread() - *before;
-  figures.ours = figuresOf(std::move(timings), kPlaces, moved);
+  figures.ours = summariseTimings(std::move(timings), kPlaces, moved);
   deformer.apply(places[0], surface);
   figures.ours.hash = hashOf(surface);
 }
@@ -227,7 +227,7 @@ ApplyFigures timeLiteral(const DeformRun& run) {
   literal::Deformation deformation(mesh);
   std::vector<std::vector<literal::Touch>> touches;
   for (std::size_t i = 0; i < places.size(); i += kLiteralStride) {
-    std::transform(places[i].begin(), places[i].end(), std::back_inserter(touches.emplace_back()), touchOf);
+    std::transform(places[i].begin(), places[i].end(), std::back_inserter(touches.emplace_back()), toTouch);
   }
   double moved = 0.0;
   for (const auto& fingers : touches) {
@@ -236,7 +236,7 @@ ApplyFigures timeLiteral(const DeformRun& run) {
   }
   Timings timings(kMaxSamples);
   repeat(touches.size(), run.seconds, timings, [&](std::size_t place) { deformation.apply(touches[place]); });
-  ApplyFigures figures = figuresOf(std::move(timings), touches.size(), moved);
+  ApplyFigures figures = summariseTimings(std::move(timings), touches.size(), moved);
   deformation.apply(touches[0]);
   figures.hash = hashOf(deformation.mesh());
   return figures;

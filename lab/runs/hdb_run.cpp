@@ -25,7 +25,8 @@ void warmUp(const contact::Surface& surface, const contact::FingerSettings& fing
 HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory, const contact::FingerSettings& finger,
                       const HdbRunSettings& settings, const Window& window) {
   contact::check(finger);
-  auto partition = std::make_shared<const hdb::Partition>(hdb::buildPartition(meshOf(world.surface), settings.build));
+  auto partition =
+      std::make_shared<const hdb::Partition>(hdb::buildPartition(extractMesh(world.surface), settings.build));
   hdb::HdbSettings hdb = settings.hdb;
   hdb.edges_mm = settings.edge_mm > 0.0 ? Vec3::Constant(settings.edge_mm) : hdb::hdbEdges(partition->bounds);
   HdbFigures figures;
@@ -42,7 +43,7 @@ HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory,
     return output;
   });
   figures.queries = candidates.queries();
-  figures.contact = figuresOf(world, run, finger, ticks.time_s, window);
+  figures.contact = computeFigures(world, run, finger, ticks.time_s, window);
   return figures;
 }
 

@@ -97,7 +97,7 @@ class TimedFinger {
   std::vector<contact::FingerOutput> felt_;
 };
 
-void keepShortest(double& shortest, double now) { shortest = std::min(shortest, now); }
+void updateShortest(double& shortest, double now) { shortest = std::min(shortest, now); }
 
 /// The pads of a block's ticks.
 class TimedPad {
@@ -144,15 +144,15 @@ LumpCosts measureLumpCosts(double seconds, const Progress& progress) {
   const Clock::time_point started = Clock::now();
   const lab::ThreadCounts before = lab::countsOfThisThread();
   do {
-    keepShortest(bare, bare_finger.block(add));
-    keepShortest(with_one, one_finger.block(add));
-    keepShortest(with_eight, eight_finger.block(add));
-    keepShortest(with_mobile, mobile_finger.block(add));
-    keepShortest(with_pad, eight_finger.block(add_pad));
-    keepShortest(costs.field_4_us, four.block(one_finger.felt(), sum));
-    keepShortest(costs.field_8_us, nine.block(one_finger.felt(), sum));
-    keepShortest(costs.field_16_us, sixteen.block(one_finger.felt(), sum));
-    keepShortest(costs.field_4_of_eight_us, four_of_eight.block(eight_finger.felt(), sum));
+    updateShortest(bare, bare_finger.block(add));
+    updateShortest(with_one, one_finger.block(add));
+    updateShortest(with_eight, eight_finger.block(add));
+    updateShortest(with_mobile, mobile_finger.block(add));
+    updateShortest(with_pad, eight_finger.block(add_pad));
+    updateShortest(costs.field_4_us, four.block(one_finger.felt(), sum));
+    updateShortest(costs.field_8_us, nine.block(one_finger.felt(), sum));
+    updateShortest(costs.field_16_us, sixteen.block(one_finger.felt(), sum));
+    updateShortest(costs.field_4_of_eight_us, four_of_eight.block(eight_finger.felt(), sum));
     ++costs.rounds;
   } while (secondsSince(started) < seconds && sum < kLong);
   costs.allocations = lab::countsSince(before).allocations;

@@ -160,9 +160,9 @@ PartitionFigures measurePartition(const mesh::TriangleMesh& mesh, const Partitio
   measureQueries(built, proxies, samples, figures);
   measureHybrid(built, proxies, run, figures);
   measureLinked(built, proxies, figures);
-  figures.hdb_query_us = lab::percentilesOf(std::move(samples.query));
-  figures.ranges_us = lab::percentilesOf(std::move(samples.ranges));
-  figures.leaves_us = lab::percentilesOf(std::move(samples.leaves));
+  figures.hdb_query_us = lab::computePercentiles(std::move(samples.query));
+  figures.ranges_us = lab::computePercentiles(std::move(samples.ranges));
+  figures.leaves_us = lab::computePercentiles(std::move(samples.leaves));
   return figures;
 }
 

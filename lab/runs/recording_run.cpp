@@ -118,8 +118,8 @@ void measureHandOver(const scene::World& world, const device::FingerPaths& paths
   }
   run.dropped += links.record.dropped();
   run.blocks = with.size();
-  run.tick_us = lab::percentilesOf(without).p50;
-  run.record_us_per_tick = lab::percentilesOf(with).p50 - run.tick_us;
+  run.tick_us = lab::computePercentiles(without).p50;
+  run.record_us_per_tick = lab::computePercentiles(with).p50 - run.tick_us;
   writer.discard();
 }
 

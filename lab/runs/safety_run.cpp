@@ -70,7 +70,8 @@ SafetyCost measureSafety(const scene::World& world, const device::FingerPaths& p
     first = first + kBlockTicks > last ? 0 : first + kBlockTicks;
   }
   const auto fingers = static_cast<double>(samples.size());
-  return {lab::percentilesOf(differences).p50 / fingers, lab::percentilesOf(ticks).p50 / fingers, differences.size()};
+  return {lab::computePercentiles(differences).p50 / fingers, lab::computePercentiles(ticks).p50 / fingers,
+          differences.size()};
 }
 
 }  // namespace palpate::bench

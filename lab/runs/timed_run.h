@@ -20,7 +20,7 @@ inline double emptyTimerMicroseconds() {
     const Clock::time_point start = Clock::now();
     sample = microsecondsSince(start);
   }
-  return lab::percentilesOf(std::move(samples)).p50;
+  return lab::computePercentiles(std::move(samples)).p50;
 }
 
 }  // namespace detail

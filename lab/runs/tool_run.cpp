@@ -30,7 +30,7 @@ Shapes shapes() {
 }
 
 /// Out of the skin at every tip.
-std::vector<Vec3> facingsOf(const contact::Surface& surface, std::span<const Vec3> tips) {
+std::vector<Vec3> computeFacings(const contact::Surface& surface, std::span<const Vec3> tips) {
   std::vector<Vec3> normals;
   for (const Vec3& tip : tips) {
     const tree::NearestPoint nearest = nearestPoint(surface.geometry->tree, tip, contact::kUnbounded);
@@ -50,7 +50,7 @@ std::vector<Vec3> facingsOf(const contact::Surface& surface, std::span<const Vec
 class Poses {
  public:
   Poses(const ContactWorld& world, std::span<const Vec3> tips, double tick_s, std::size_t parts) : parts_(parts) {
-    const std::vector<Vec3> facings = facingsOf(world.surface, tips);
+    const std::vector<Vec3> facings = computeFacings(world.surface, tips);
     const auto lag = static_cast<std::size_t>(kBetweenPartsSeconds / tick_s);
     for (std::size_t k = 0; k < tips.size(); ++k) {
       for (std::size_t part = 0; part < parts; ++part) {
@@ -94,8 +94,8 @@ struct ToolPass {
   lab::ThreadCounts counts;
 };
 
-ToolPass passOf(const ContactWorld& world, const contact::ToolShape& shape, const contact::FingerSettings& finger,
-                const Poses& poses) {
+ToolPass timeToolPass(const ContactWorld& world, const contact::ToolShape& shape, const contact::FingerSettings& finger,
+                      const Poses& poses) {
   ToolPass pass;
   pass.us.resize(poses.ticks());
   pass.touching.resize(poses.ticks());
@@ -115,8 +115,8 @@ contact::FingerOutput stepAlone(const ContactWorld& world, const contact::Pad& p
 }
 
 /// A finger alone for every pad, all of them in a tick.
-std::vector<double> apartOf(const ContactWorld& world, const contact::ToolShape& shape,
-                            const contact::FingerSettings& finger, const Poses& poses) {
+std::vector<double> timeSeparateFingers(const ContactWorld& world, const contact::ToolShape& shape,
+                                        const contact::FingerSettings& finger, const Poses& poses) {
   std::vector<contact::FingerState> states(shape.pads.size());
   std::vector<contact::FingerOutput> felt(shape.pads.size());
   std::vector<double> us(poses.ticks());
@@ -128,8 +128,8 @@ std::vector<double> apartOf(const ContactWorld& world, const contact::ToolShape&
   return us;
 }
 
-std::size_t differencesOf(const ContactWorld& world, const contact::ToolShape& shape,
-                          const contact::FingerSettings& finger, const Poses& poses) {
+std::size_t countDifferences(const ContactWorld& world, const contact::ToolShape& shape,
+                             const contact::FingerSettings& finger, const Poses& poses) {
   contact::ToolState state = contact::makeToolState(shape, world.surface);
   std::vector<contact::FingerState> states(shape.pads.size());
   std::size_t different = 0;
@@ -199,16 +199,16 @@ ToolFigures measureTool(const ContactWorld& world, const device::Trajectory& tra
   contact::check(finger);
   const device::Trajectory ticks = device::resampled(trajectory, finger.tick_s);
   Poses poses(world, ticks.tip_mm, finger.tick_s, shape.rest.size());
-  (void)passOf(world, shape, finger, poses);  // warm-up: finds every page of code and surface
-  const ToolPass pass = passOf(world, shape, finger, poses);
-  const std::vector<double> apart = apartOf(world, shape, finger, poses);
+  (void)timeToolPass(world, shape, finger, poses);  // warm-up: finds every page of code and surface
+  const ToolPass pass = timeToolPass(world, shape, finger, poses);
+  const std::vector<double> apart = timeSeparateFingers(world, shape, finger, poses);
   ToolFigures figures;
   figures.triangles = world.triangles;
   figures.pads = shape.pads.size();
   figures.parts = shape.rest.size();
   figures.groups = contact::makeToolState(shape, world.surface).groups.size();
   figures.counts = pass.counts;
-  figures.different = differencesOf(world, shape, finger, poses);
+  figures.different = countDifferences(world, shape, finger, poses);
   std::vector<double> all_us, any_us, apart_us;
   for (std::size_t k = 0; k < poses.ticks(); ++k) {
     if (ticks.time_s[k] < window.from_s || ticks.time_s[k] >= window.until_s) continue;
@@ -222,11 +222,11 @@ ToolFigures measureTool(const ContactWorld& world, const device::Trajectory& tra
     all_us.push_back(pass.us[k]);
     apart_us.push_back(apart[k]);
   }
-  figures.tick_us = lab::percentilesOf(all_us.empty() ? any_us : all_us);
-  figures.apart_tick_us = lab::percentilesOf(all_us.empty() ? apart : apart_us);
-  figures.any_tick_us = lab::percentilesOf(std::move(any_us));
+  figures.tick_us = lab::computePercentiles(all_us.empty() ? any_us : all_us);
+  figures.apart_tick_us = lab::computePercentiles(all_us.empty() ? apart : apart_us);
+  figures.any_tick_us = lab::computePercentiles(std::move(any_us));
   poses.lift(world.surface.geometry->tree.diagonal);
-  figures.air_tick_us = lab::percentilesOf(passOf(world, shape, finger, poses).us);
+  figures.air_tick_us = lab::computePercentiles(timeToolPass(world, shape, finger, poses).us);
   return figures;
 }
 

@@ -37,7 +37,7 @@ struct SkinSpot {
 /// Writes ticks of one path.
 class PathWriter {
  public:
-  PathWriter(JudgedBody& on, const HuntedPathSettings& settings)
+  PathWriter(OracleBody& on, const HuntedPathSettings& settings)
       : body(on),
         random(settings.seed),
         mm(settings.mm),
@@ -82,8 +82,8 @@ class PathWriter {
     const Triangle& t = m.triangles[triangle];
     double u = random.uniform(), v = random.uniform();
     if (u + v > 1.0) u = 1.0 - u, v = 1.0 - v;
-    return {(1.0 - u - v) * m.positions[t[0]] + u * m.positions[t[1]] + v * m.positions[t[2]], body.normalOf(triangle),
-            triangle};
+    return {(1.0 - u - v) * m.positions[t[0]] + u * m.positions[t[1]] + v * m.positions[t[2]],
+            body.triangleNormal(triangle), triangle};
   }
   /// So high above a place that the finger is free there; not every place has such a height.
   bool isClear(const Vec3& tip) {
@@ -115,9 +115,9 @@ class PathWriter {
     go(target, kLongestJumpMm * mm);
     return place;
   }
-  std::vector<Vec3> take() { return std::move(tips_); }
+  std::vector<Vec3> releaseTips() { return std::move(tips_); }
 
-  JudgedBody& body;
+  OracleBody& body;
   Random random;
   const double mm, radius;
 
@@ -161,7 +161,7 @@ void rubAt(PathWriter& w, double least, double most, double step) {
     heading = (heading - heading.dot(normal) * normal).normalized();
     const NearPoint near = w.body.nearest(under + step * heading);
     under = near.point;
-    normal = w.body.normalOf(near.triangle);
+    normal = w.body.triangleNormal(near.triangle);
     const Vec3 request = under - depth * (0.67 + 0.33 * std::sin(0.01 * static_cast<double>(k))) * normal;
     const Vec3 move = request - w.tip();
     w.put(w.tip() + move * std::min(1.0, 2.0 * step / std::max(move.norm(), 1e-300)));
@@ -178,7 +178,7 @@ void graze(PathWriter& w) {
     w.put(under - depth * normal);
     const NearPoint near = w.body.nearest(under + step * heading);
     under = near.point;
-    normal = w.body.normalOf(near.triangle);
+    normal = w.body.triangleNormal(near.triangle);
     heading = (heading - heading.dot(normal) * normal + 1e-3 * w.direction()).normalized();
   }
 }
@@ -228,7 +228,7 @@ void crease(PathWriter& w) {
   for (int i = 0; i < 40 && !w.done(); ++i) {
     const Triangle& t = m.triangles[triangle];
     const auto corner = static_cast<std::size_t>(w.random.below(3));
-    const Vec3 normal = w.body.normalOf(triangle);
+    const Vec3 normal = w.body.triangleNormal(triangle);
     w.go(m.positions[t[corner]] - depth * normal, step);
     w.go(m.positions[t[(corner + 1) % 3]] - depth * normal, step);
     const Vec3& end = m.positions[t[(corner + 1) % 3]];
@@ -384,7 +384,7 @@ std::vector<std::string> huntedPathKinds() {
   return kinds;
 }
 
-std::vector<Vec3> huntedPath(JudgedBody& body, std::string_view kind, const HuntedPathSettings& settings) {
+std::vector<Vec3> huntedPath(OracleBody& body, std::string_view kind, const HuntedPathSettings& settings) {
   const auto* now =
       std::find_if(kPathKinds.begin(), kPathKinds.end(), [&](const PathKind& k) { return kind == k.name; });
   if (now == kPathKinds.end()) throw Error(fmt::format("no hunted path is called '{}'", kind));
@@ -396,7 +396,7 @@ std::vector<Vec3> huntedPath(JudgedBody& body, std::string_view kind, const Hunt
     now = &kPathKinds[writer.random.below(kPathKinds.size())];
   }
   Random noise(settings.seed ^ 0x9e3779b97f4a7c15ull);
-  std::vector<Vec3> tips = writer.take();
+  std::vector<Vec3> tips = writer.releaseTips();
   addNoise(tips, settings.mm, noise);
   return tips;
 }

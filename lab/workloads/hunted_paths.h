@@ -26,6 +26,6 @@ std::vector<std::string> huntedPathKinds();
 
 /// Tips in the body's units, `ticks` of them; the first is outside and free where the body is closed. Two or three
 /// kinds, the first of them `kind`, one after the other; some with noise. The same for the same seed.
-std::vector<Vec3> huntedPath(JudgedBody& body, std::string_view kind, const HuntedPathSettings& settings);
+std::vector<Vec3> huntedPath(OracleBody& body, std::string_view kind, const HuntedPathSettings& settings);
 
 }  // namespace palpate::lab

@@ -10,8 +10,8 @@ namespace palpate::lab {
 
 namespace {
 
-contact::Lump lumpOf(const tissue::LumpPlace& place, const tissue::LumpShape& shape, const Vec3& foot,
-                     const Vec3& axis) {
+contact::Lump makeLump(const tissue::LumpPlace& place, const tissue::LumpShape& shape, const Vec3& foot,
+                       const Vec3& axis) {
   contact::Lump lump{.foot = foot, .axis = axis, .energy = place.energyOf(shape), .shape = shape};
   lump.skin_mm = place.stack.layers.front().thickness_mm;
   contact::setPlane(lump);
@@ -45,7 +45,7 @@ contact::Lump randomLump(const tissue::LumpPlace& place, const Vec3& foot, const
   shape.depth_mm = random.uniform(tops.from_mm + 1e-6, std::min(tops.from_mm + kDeepestMm, tops.to_mm - kLeftMm));
   shape.stiffness_ratio = logUniform(random, 0.2, 100.0);
   shape.edge = random.below(2) == 0 ? 0.0 : random.uniform();
-  contact::Lump lump = lumpOf(place, shape, foot, axis);
+  contact::Lump lump = makeLump(place, shape, foot, axis);
   boundSlope(lump, skin_n_per_mm, false);
   return lump;
 }
@@ -59,7 +59,7 @@ contact::Lump stiffestLump(const Vec3& foot, const Vec3& axis, double skin_n_per
   const tissue::LumpPlace place = tissue::libraryPlaceAt(40.0, 8.0);
   tissue::LumpShape shape{.half_axes_mm = {10.0, 10.0, 10.0}, .stiffness_ratio = 1000.0};
   shape.depth_mm = tissue::topRange(shape, place.stack).from_mm + 1e-6;
-  contact::Lump lump = lumpOf(place, shape, foot, axis);
+  contact::Lump lump = makeLump(place, shape, foot, axis);
   boundSlope(lump, skin_n_per_mm, true);
   return lump;
 }

@@ -37,13 +37,13 @@ device::Trajectory atOneKilohertz(const Points& points) {
 
 /// `place(tick)` for 20 s.
 template <class Place>
-device::Trajectory twentySecondsOf(Place place) {
+device::Trajectory makeTwentySecondPath(Place place) {
   Points points;
   for (std::size_t k = 0; k < kTwentySeconds; ++k) points.emplace_back(place(k));
   return atOneKilohertz(points);
 }
 
-double timeOf(std::size_t tick) { return static_cast<double>(tick) * 1e-3; }
+double tickSeconds(std::size_t tick) { return static_cast<double>(tick) * 1e-3; }
 
 /// 0 to 1 with flat ends.
 double smooth(double s) {
@@ -84,8 +84,8 @@ std::vector<double> slideParameter() {
   std::vector<double> parameter(kTwentySeconds, 0.0);
   double q = 0.0;
   for (std::size_t k = 1; k < kTwentySeconds; ++k) {
-    for (int m = 0; m < 20 && kSlideFromSeconds < timeOf(k) && timeOf(k) <= kSlideUntilSeconds; ++m) {
-      const double tau = timeOf(k - 1) - kSlideFromSeconds + m * 5e-5;
+    for (int m = 0; m < 20 && kSlideFromSeconds < tickSeconds(k) && tickSeconds(k) <= kSlideUntilSeconds; ++m) {
+      const double tau = tickSeconds(k - 1) - kSlideFromSeconds + m * 5e-5;
       const double speed = 300 + 200 * std::sin(2 * pi * 0.25 * tau);
       q += speed * 5e-5 / std::hypot(2 * kHalfWidth * std::cos(2 * q), 3 * kHalfLength * std::cos(3 * q + kPhase));
     }
@@ -204,8 +204,8 @@ std::optional<device::Trajectory> pathWithNumber(std::string_view name) {
 device::Trajectory backSlide() {
   const std::vector<double> parameter = slideParameter();
   const Vec3 end = slidePoint(parameter[18000], kSlideUntilSeconds);
-  return twentySecondsOf([&](std::size_t k) {
-    const double t = timeOf(k);
+  return makeTwentySecondPath([&](std::size_t k) {
+    const double t = tickSeconds(k);
     if (t < kPressFrom) return approachPoint(t);
     if (t < kSlideFromSeconds) return pressPoint(t);
     if (t < kSlideUntilSeconds) return slidePoint(parameter[k], t);
@@ -246,8 +246,8 @@ device::Trajectory backStabs(double metres_per_second, std::uint64_t seed) {
 
 device::Trajectory grooveShake(std::uint64_t seed) {
   Random random(seed);
-  return twentySecondsOf([&](std::size_t k) {
-    const double t = timeOf(k);
+  return makeTwentySecondPath([&](std::size_t k) {
+    const double t = tickSeconds(k);
     const Vec2 noise = random.normal2();
     Vec3 tip(100 + 15 * std::sin(2 * pi * 5 * t) + 0.3 * noise.x(), 10 + 80 * (0.5 - 0.5 * std::cos(2 * pi * 0.2 * t)),
              -10 + 0.3 * noise.y());
@@ -258,8 +258,8 @@ device::Trajectory grooveShake(std::uint64_t seed) {
 
 device::Trajectory pitShake(std::uint64_t seed) {
   Random random(seed);
-  return twentySecondsOf([&](std::size_t k) {
-    const double t = timeOf(k);
+  return makeTwentySecondPath([&](std::size_t k) {
+    const double t = tickSeconds(k);
     const Vec3 noise = random.normal3();
     Vec3 tip(100 + 8 * std::sin(2 * pi * 3.1 * t) + 0.3 * noise.x(),
              100 + 8 * std::sin(2 * pi * 4.3 * t) + 0.3 * noise.y(), -10 + 0.3 * noise.z());
@@ -269,7 +269,7 @@ device::Trajectory pitShake(std::uint64_t seed) {
 }
 
 device::Trajectory eggcrateSlide(double metres_per_second) {
-  return twentySecondsOf([&](std::size_t k) {
+  return makeTwentySecondPath([&](std::size_t k) {
     const double s = metres_per_second * static_cast<double>(k);  // mm
     Vec3 tip(reflected(10 + s * 0.8, 10, 110), reflected(10 + s * 0.6, 10, 110), -3.0);
     if (k < 100) tip = Vec3(10, 10, ramp(10, -3, k, 100));
@@ -278,8 +278,8 @@ device::Trajectory eggcrateSlide(double metres_per_second) {
 }
 
 device::Trajectory flatEdge() {
-  return twentySecondsOf([&](std::size_t k) {
-    const double phase = std::fmod(timeOf(k) * 200 / 70, 2.0);
+  return makeTwentySecondPath([&](std::size_t k) {
+    const double phase = std::fmod(tickSeconds(k) * 200 / 70, 2.0);
     Vec3 tip(50 + 70 * (1 - std::abs(phase - 1)), 50.3, -5.0);
     if (k < 100) tip = Vec3(50, 50.3, ramp(10, -5, k, 100));
     return tip;
@@ -320,8 +320,8 @@ device::Trajectory latticeGroove(std::uint64_t seed) {
 device::Trajectory orbit(const mesh::TriangleMesh& body, const Vec3& centre) {
   constexpr double kRadialStep = 0.2;  // mm in a tick: 0.2 m/s
   double radius = 0.0;
-  return twentySecondsOf([&](std::size_t k) {
-    const double t = timeOf(k), azimuth = 2 * pi * 0.5 * t, elevation = 0.1 + 0.55 * std::sin(2 * pi * 0.17 * t);
+  return makeTwentySecondPath([&](std::size_t k) {
+    const double t = tickSeconds(k), azimuth = 2 * pi * 0.5 * t, elevation = 0.1 + 0.55 * std::sin(2 * pi * 0.17 * t);
     const Vec3 direction(std::cos(azimuth) * std::cos(elevation), std::sin(azimuth) * std::cos(elevation),
                          std::sin(elevation));
     const double goal = outermostHit(body, centre, direction) - (7.5 - 2.5 * std::cos(2 * pi * 0.7 * t));

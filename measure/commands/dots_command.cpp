@@ -91,7 +91,7 @@ void refuseOccupied(const fs::path& folder) {
                                   fmt::join(earlier, ", "), freshFolder(folder).string()));
 }
 
-Outputs outputsOf(const DotsArguments& arguments) {
+Outputs resolveOutputs(const DotsArguments& arguments) {
   Outputs outputs;
   const fs::path out = arguments.output;
   const std::string extension = out.extension().string();
@@ -112,9 +112,9 @@ Outputs outputsOf(const DotsArguments& arguments) {
   return outputs;
 }
 
-void writeOverlayOf(const Measuring& measuring, const fs::path& file, double width_px) {
+void writeOverlayPage(const Measuring& measuring, const fs::path& file, double width_px) {
   constexpr double kPageWidth = 1240.0;
-  const figures::OverlayPage page{.overlay = overlayOf(measuring.result),
+  const figures::OverlayPage page{.overlay = buildOverlay(measuring.result),
                                   .before = measuring.before ? &*measuring.before : nullptr,
                                   .after = measuring.after ? &*measuring.after : nullptr,
                                   .width_px = kPageWidth};
@@ -130,8 +130,8 @@ std::vector<std::string> write(const DotsArguments& arguments, const Outputs& ou
     work();
     written.push_back(file.string());
   };
-  writes(outputs.overlay, [&] { writeOverlayOf(measuring, outputs.overlay, arguments.overlay_width_px); });
-  writes(outputs.dots, [&] { writeFile(outputs.dots, dotTableOf(measuring.result)); });
+  writes(outputs.overlay, [&] { writeOverlayPage(measuring, outputs.overlay, arguments.overlay_width_px); });
+  writes(outputs.dots, [&] { writeFile(outputs.dots, formatDotTable(measuring.result)); });
   writes(outputs.key_points, [&] { writeFile(outputs.key_points, keyTable(measuring.result, measuring.pair)); });
   writes(outputs.report,
          [&] { writeFile(outputs.report, jsonDump(reportJson(measuring.result, measuring.pair), 1) + "\n"); });
@@ -218,7 +218,7 @@ void measurePhotographs(const DotsArguments& arguments, Measuring& measuring) {
   measuring.after = read(arguments.input[1], measuring.pair);
   measure::MeasureSettings settings = settingsOf(arguments);
   requireInside(settings, *measuring.before);
-  endIfAsked();
+  throwIfInterrupted();
   const auto null_finding = measureNull(arguments, measuring, settings);
   measuring.result = measurePair(*measuring.before, *measuring.after, settings, progress.callback());
   if (null_finding) measuring.result.findings.push_back(*null_finding);
@@ -234,7 +234,7 @@ void measureTable(const DotsArguments& arguments, Measuring& measuring) {
 
 void run(const DotsArguments& arguments) {
   check(arguments);
-  const Outputs outputs = outputsOf(arguments);
+  const Outputs outputs = resolveOutputs(arguments);
   Measuring measuring;
   measuring.pair.name = arguments.name;
   measuring.pair.files = arguments.input;

@@ -34,7 +34,7 @@ std::string ellipseLine(const KeyEllipse& key) {
                      words(key.direction_deg, 1));
 }
 
-std::string tailWords(const FieldFit& fit) {
+std::string describeTail(const FieldFit& fit) {
   const Estimate& k = fit.inverse_tail;
   if (fit.field.form != measure::FieldForm::smooth)
     return fmt::format("{} of the form \"{}\"", words(k, 2), measure::nameOf(fit.field.form));
@@ -54,7 +54,7 @@ std::string fitText(const Measurement& m) {
   }
   text += fmt::format("  peak      {}, dragged towards {} degrees; tail {}\n",
                       fit.peak_mm ? words(*fit.peak_mm, 1) + " mm" : "not seen by any dot", words(fit.drag_deg, 1),
-                      tailWords(fit));
+                      describeTail(fit));
   text += fmt::format(
       "  body      moved {:.2f} mm between the pictures, turned {:.2f} degrees, {:+.2f} % in size; {:.1f} of "
       "the sd allowed\n",
@@ -197,7 +197,7 @@ std::string reportText(const Measurement& measurement, const MeasuredPair& pair)
   if (pair.seconds_between) text += fmt::format("  time      {:.1f} s between the pictures\n", *pair.seconds_between);
   if (!pair.place_mm && m.fit) text += "  place     not given (--at): the row of key points says 0,0\n";
   for (const std::string& note : pair.notes) text += fmt::format("  note: {}\n", note);
-  for (const std::string& finding : measure::overlayOf(m).findings) text += fmt::format("  {}\n", finding);
+  for (const std::string& finding : measure::buildOverlay(m).findings) text += fmt::format("  {}\n", finding);
   return text;
 }
 
@@ -228,7 +228,7 @@ std::string keyTable(const Measurement& measurement, const MeasuredPair& pair) {
   std::string table = measure::keyRowHeader();
   const std::string row = measure::keyRow(measurement, pair.name, pair.place_mm.value_or(Vec2::Zero()));
   if (measurement.accepted()) return table + row;
-  table += fmt::format("# {}\n", oneLine(measure::overlayOf(measurement).verdict, 1000));
+  table += fmt::format("# {}\n", oneLine(measure::buildOverlay(measurement).verdict, 1000));
   return row.empty() ? table : table + "# " + row;
 }
 

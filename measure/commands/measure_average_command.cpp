@@ -38,7 +38,7 @@ std::vector<Vec2> outlineOf(const maps::Ellipse& ellipse, const Vec2& centre, do
 }
 
 /// Between the band's two rims: one outline, there and back again.
-figures::Shape bandOf(const MeanEllipse& mean, const Vec2& centre, double share, const std::string& name) {
+figures::Shape makeBandShape(const MeanEllipse& mean, const Vec2& centre, double share, const std::string& name) {
   const auto rims = confidenceBand(mean);
   figures::Shape band{.name = name,
                       .stroke = figures::Stroke::none,
@@ -60,7 +60,7 @@ figures::Plot overview(const measure::Averages& averages) {
                      .equal_aspect = true};
   figures::Shape means{.name = "mean", .colour = figures::kBlue, .width_px = 1.8};
   for (const PointMean& point : averages.points) {
-    plot.shapes.push_back(bandOf(point.mean, point.place_mm, kShare, ""));
+    plot.shapes.push_back(makeBandShape(point.mean, point.place_mm, kShare, ""));
     means.paths.push_back(outlineOf(point.mean.ellipse, point.place_mm, kShare));
     plot.places.push_back({point.place_mm, point.name});
   }
@@ -68,30 +68,31 @@ figures::Plot overview(const measure::Averages& averages) {
   return plot;
 }
 
-std::string errorWords(const measure::Estimate& estimate, int digits) {
+std::string formatPlusMinus(const measure::Estimate& estimate, int digits) {
   if (!std::isfinite(estimate.sd)) return fmt::format("{:.{}f}", estimate.value, digits);
   return fmt::format("{:.{}f} \u00b1 {:.{}f}", estimate.value, digits, estimate.sd, digits);
 }
 
-figures::Plot panelOf(const PointMean& point) {
-  figures::Plot plot{
-      .title = fmt::format("{}: {} mm, ratio {}, {}\u00b0{}", point.name, errorWords(point.mean.half_major_mm, 1),
-                           errorWords(point.mean.major_over_minor, 2), errorWords(point.mean.direction_deg, 0),
-                           point.mean.hardly_determined ? " (hardly determined)" : ""),
-      .x = {.label = "to the right", .unit = "mm"},
-      .y = {.label = "towards the head", .unit = "mm"},
-      .equal_aspect = true};
-  plot.shapes.push_back(bandOf(point.mean, Vec2::Zero(), 1.0, "95 % band"));
+figures::Plot makePointPanel(const PointMean& point) {
+  figures::Plot plot{.title = fmt::format(
+                         "{}: {} mm, ratio {}, {}\u00b0{}", point.name, formatPlusMinus(point.mean.half_major_mm, 1),
+                         formatPlusMinus(point.mean.major_over_minor, 2), formatPlusMinus(point.mean.direction_deg, 0),
+                         point.mean.hardly_determined ? " (hardly determined)" : ""),
+                     .x = {.label = "to the right", .unit = "mm"},
+                     .y = {.label = "towards the head", .unit = "mm"},
+                     .equal_aspect = true};
+  plot.shapes.push_back(makeBandShape(point.mean, Vec2::Zero(), 1.0, "95 % band"));
   plot.shapes.push_back({.name = point.knowsTissue() ? "the tissue's" : "mean",
                          .paths = {outlineOf(point.mean.ellipse, Vec2::Zero(), 1.0)},
                          .colour = figures::kBlue,
                          .width_px = 2.0});
   for (std::size_t i = 0; point.drags.size() > 1 && i < point.drags.size(); ++i) {
     const measure::DragMean& drag = point.drags[i];
-    plot.shapes.push_back({.name = drag.drag_deg ? "pulled " + measure::dragWords(*drag.drag_deg) : "pulled some way",
-                           .paths = {outlineOf(drag.mean.ellipse, Vec2::Zero(), 1.0)},
-                           .stroke = figures::Stroke::dashed,
-                           .colour = figures::seriesColour(i + 1)});
+    plot.shapes.push_back(
+        {.name = drag.drag_deg ? "pulled " + measure::dragDirectionName(*drag.drag_deg) : "pulled some way",
+         .paths = {outlineOf(drag.mean.ellipse, Vec2::Zero(), 1.0)},
+         .stroke = figures::Stroke::dashed,
+         .colour = figures::seriesColour(i + 1)});
   }
   return plot;
 }
@@ -102,7 +103,7 @@ figures::Figure averageFigure(const measure::Averages& averages) {
   figure.panels.emplace_back(overview(averages));
   for (const PointMean& point : averages.points) {
     if (figure.panels.size() > kMaxPanels) break;
-    if (point.mirrored_from.empty()) figure.panels.emplace_back(panelOf(point));
+    if (point.mirrored_from.empty()) figure.panels.emplace_back(makePointPanel(point));
   }
   figure.note = "Where the skin moves 2 mm. Bands: standard errors of the mean, 95 %.";
   return figure;
@@ -151,14 +152,14 @@ std::string withError(const measure::Estimate& estimate, int digits) {
   return std::isfinite(estimate.sd) ? fmt::format("{} +- {:.{}f}", value, estimate.sd, digits) : value;
 }
 
-std::string lineOf(const std::string& name, const std::string& pulled, const measure::MeanEllipse& mean) {
+std::string formatEllipseRow(const std::string& name, const std::string& pulled, const measure::MeanEllipse& mean) {
   return fmt::format("{:<10}{:<16}{:<17}{:<16}{:<13}{:>7}{:>7}{}\n", name, pulled, withError(mean.half_major_mm, 1),
                      withError(mean.major_over_minor, 3), withError(mean.direction_deg, 1), mean.presses, mean.subjects,
                      mean.hardly_determined ? "  direction hardly determined" : "");
 }
 
-std::string pulledWords(const measure::DragMean& drag) {
-  return drag.drag_deg ? measure::dragWords(*drag.drag_deg) : std::string("not said");
+std::string describeDrag(const measure::DragMean& drag) {
+  return drag.drag_deg ? measure::dragDirectionName(*drag.drag_deg) : std::string("not said");
 }
 
 std::string textOf(const measure::Averages& averages) {
@@ -168,10 +169,11 @@ std::string textOf(const measure::Averages& averages) {
   for (const measure::PointMean& point : averages.points) {
     const bool one = point.drags.size() == 1;
     if (!one) {
-      for (const measure::DragMean& drag : point.drags) text += lineOf(point.name, pulledWords(drag), drag.mean);
+      for (const measure::DragMean& drag : point.drags)
+        text += formatEllipseRow(point.name, describeDrag(drag), drag.mean);
     }
-    const std::string which = one ? pulledWords(point.drags.front()) : point.knowsTissue() ? "the tissue's" : "all";
-    text += lineOf(point.name, which, point.mean);
+    const std::string which = one ? describeDrag(point.drags.front()) : point.knowsTissue() ? "the tissue's" : "all";
+    text += formatEllipseRow(point.name, which, point.mean);
     if (point.along_drag) {
       remarks += fmt::format("{}: a drag stretches the ellipse along itself by {}\n", point.name,
                              withError(*point.along_drag, 2));
@@ -219,7 +221,7 @@ Json pointJson(const measure::PointMean& point) {
   return json;
 }
 
-Json jsonOf(const measure::Averages& averages, const std::vector<std::string>& written) {
+Json toJson(const measure::Averages& averages, const std::vector<std::string>& written) {
   const bool plain = averages.settings.averaging == maps::Averaging::plain;
   Json json = {{"mean", plain ? "plain" : "tensorial"}, {"points", Json::array()}};
   for (const measure::PointMean& point : averages.points) json["points"].push_back(pointJson(point));
@@ -239,7 +241,7 @@ void runMeasureAverage(const MeasureAverageArguments& arguments) {
     writePicture(averageFigure(averages), arguments.plot);
     written.push_back(arguments.plot);
   }
-  if (arguments.json) return fmt::print("{}\n", jsonDump(jsonOf(averages, written), 2));
+  if (arguments.json) return fmt::print("{}\n", jsonDump(toJson(averages, written), 2));
   fmt::print("{}", textOf(averages));
   for (const std::string& file : written) fmt::print("-> {}\n", file);
 }

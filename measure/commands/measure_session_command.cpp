@@ -75,7 +75,7 @@ std::vector<measure::ProtocolPoint> dissertationPoints() {
   return points;
 }
 
-std::vector<measure::ProtocolPoint> pointsOf(const std::vector<std::string>& words) {
+std::vector<measure::ProtocolPoint> parsePoints(const std::vector<std::string>& words) {
   if (words.empty()) return dissertationPoints();
   std::vector<measure::ProtocolPoint> points;
   std::shared_ptr<const scene::World> world;
@@ -96,7 +96,7 @@ void runInit(const MeasureSessionArguments& arguments) {
   }
   Protocol protocol = arguments.protocol;
   protocol.person = arguments.person;
-  protocol.points = pointsOf(arguments.points);
+  protocol.points = parsePoints(arguments.points);
   for (const std::string& word : arguments.drags) {
     const auto degrees = measure::dragNamed(word);
     if (!degrees) throw UsageError("--drags", "'" + oneLine(word) + "' is none of up, down, left, right");
@@ -125,7 +125,7 @@ measure::PressOutcome measureWithOverlay(const fs::path& folder, const Protocol&
                           .place_mm = planned.place_mm,
                           .null_drift_mm = measured.outcome.null_drift_mm};
   const FinishesInOrder in_order;
-  const figures::OverlayPage page{.overlay = overlayOf(measured.measurement), .before = &before, .after = &after};
+  const figures::OverlayPage page{.overlay = buildOverlay(measured.measurement), .before = &before, .after = &after};
   figures::writeOverlay(page, folder / (planned.name + "_overlay.png"));
   writeFile(folder / (planned.name + ".json"), jsonDump(reportJson(measured.measurement, pair), 1) + "\n");
   return measured.outcome;
@@ -133,7 +133,7 @@ measure::PressOutcome measureWithOverlay(const fs::path& folder, const Protocol&
 
 // --- text
 
-const char* stateOf(const WalkedPress& press) {
+const char* pressStatus(const WalkedPress& press) {
   if (!press.outcome) return "missing";
   if (press.decision == measure::Decision::repeat) return "to repeat";
   if (press.outcome->accepted) return "accepted";
@@ -141,7 +141,7 @@ const char* stateOf(const WalkedPress& press) {
 }
 
 std::string pressText(const WalkedPress& press) {
-  std::string text = fmt::format("{:<14}{:<16}", press.planned.name, stateOf(press));
+  std::string text = fmt::format("{:<14}{:<16}", press.planned.name, pressStatus(press));
   if (!press.missing.empty()) return text + fmt::format("{}\n", fmt::join(press.missing, ", "));
   if (const auto fields = split(press.outcome->row, ','); fields.size() > 5) {
     const auto number = [&](std::size_t i) { return parseNumber(fields[i]).value_or(0.0); };
@@ -186,7 +186,7 @@ std::string resultText(const measure::PersonResult& result) {
 
 Json pressJson(const WalkedPress& press) {
   Json json = {{"name", press.planned.name},
-               {"state", stateOf(press)},
+               {"state", pressStatus(press)},
                {"counts", press.counts()},
                {"new", press.fresh},
                {"missing", press.missing}};

@@ -79,20 +79,20 @@ struct MeasureStiffnessArguments {
   bool json = false;
 };
 
-std::string sceneKeysOf(const measure::PlaceFits& fits, const std::string& table) {
+std::string formatSceneKeys(const measure::PlaceFits& fits, const std::string& table) {
   return fmt::format("[ellipses]\nkey_points = \"{}\"\n\n[stiffness]\nsource = \"points\"\n\n[tissue]\n{}",
                      table.empty() ? "TABLE.csv (write it with -o)" : table, tissueKeys(fits));
 }
 
 // --- text
 
-std::string errorWords(double value, double error) {
+std::string formatPlusMinus(double value, double error) {
   return std::isfinite(error) && error > 0.0 ? fmt::format("{:.3g} +- {:.1g}", value, error)
                                              : fmt::format("{:.3g}", value);
 }
 
 /// "F = 0.031 d^1.62" and the like: d in mm, F in N.
-std::string formulaOf(const tissue::ForceFit& fit) {
+std::string formatFormula(const tissue::ForceFit& fit) {
   const double k = fit.secant.value;
   if (fit.form == ForceForm::linear) return fmt::format("F = {:.3g} d", k);
   const double first = fit.numbers.front().value;
@@ -108,13 +108,13 @@ std::string placeText(const PlaceStiffness& place) {
   for (std::size_t i = 0; i < place.forms.size(); ++i) {
     const measure::FormOfPlace& form = place.forms[i];
     text += fmt::format("{:<12}{:<12}{:<18}{:>6.3f}{:>9.3f}{:>9.1f} %  {}{}\n", i == 0 ? place.place : "",
-                        nameOf(form.fit.form), errorWords(form.fit.secant.value, form.fit.secant.standard_error),
-                        form.r_squared, form.rms_n, 100.0 * form.fit.unseen_rms, formulaOf(form.fit),
+                        nameOf(form.fit.form), formatPlusMinus(form.fit.secant.value, form.fit.secant.standard_error),
+                        form.r_squared, form.rms_n, 100.0 * form.fit.unseen_rms, formatFormula(form.fit),
                         i == place.chosen ? "  <-" : "");
   }
   if (place.presses > 1) {
     text += fmt::format("{:<12}{} presses, {} people: {} N/mm\n", "", place.presses, place.subjects,
-                        errorWords(place.secant_n_per_mm.value, place.secant_n_per_mm.sd));
+                        formatPlusMinus(place.secant_n_per_mm.value, place.secant_n_per_mm.sd));
   }
   for (const std::string& warning : place.warnings) text += fmt::format("{:<12}warning: {}\n", "", warning);
   return text;
@@ -124,7 +124,7 @@ std::string textOf(const measure::PlaceFits& fits, const std::string& table) {
   std::string text = fmt::format("{:<12}{:<12}{:<18}{:>6}{:>9}{:>11}  {}\n", "place", "form", "N/mm at 8 mm", "R2",
                                  "rms, N", "unseen", "");
   for (const PlaceStiffness& place : fits.places) text += placeText(place);
-  if (fits.shared) text += "\nin a scene:\n" + sceneKeysOf(fits, table);
+  if (fits.shared) text += "\nin a scene:\n" + formatSceneKeys(fits, table);
   return text;
 }
 
@@ -158,10 +158,10 @@ Json placeJson(const PlaceStiffness& place) {
   return json;
 }
 
-Json jsonOf(const measure::PlaceFits& fits, const std::string& table, const std::vector<std::string>& written) {
+Json toJson(const measure::PlaceFits& fits, const std::string& table, const std::vector<std::string>& written) {
   Json json = {{"places", Json::array()}};
   for (const PlaceStiffness& place : fits.places) json["places"].push_back(placeJson(place));
-  json["scene"] = fits.shared ? sceneKeysOf(fits, table) : "";
+  json["scene"] = fits.shared ? formatSceneKeys(fits, table) : "";
   json["written"] = written;
   return json;
 }
@@ -184,7 +184,7 @@ void runMeasureStiffness(const MeasureStiffnessArguments& arguments) {
     written.push_back(arguments.plot);
   }
   if (arguments.json) {
-    fmt::print("{}\n", jsonDump(jsonOf(fits, arguments.output, written), 2));
+    fmt::print("{}\n", jsonDump(toJson(fits, arguments.output, written), 2));
   } else {
     fmt::print("{}", textOf(fits, arguments.output));
     for (const std::string& file : written) fmt::print("-> {}\n", file);

@@ -66,18 +66,18 @@ const Choices<TailFamily>& tails() {
 }
 
 template <class Value, class Request>
-void take(Value& value, const std::optional<Request>& request, double factor = 1.0) {
+void applyRequest(Value& value, const std::optional<Request>& request, double factor = 1.0) {
   if (request) value = static_cast<Value>(*request * factor);
 }
 
 void changePress(const SynthesizeArguments& arguments, measure::Press& press) {
-  take(press.half_major_mm, arguments.half_major_mm);
-  take(press.ratio, arguments.ratio);
-  take(press.direction_rad, arguments.direction_deg, kRadPerDeg);
-  take(press.drag_rad, arguments.drag_deg, kRadPerDeg);
-  take(press.peak_mm, arguments.peak_mm);
-  take(press.tail_power, arguments.tail_power);
-  take(press.asymmetry, arguments.asymmetry_percent, 0.01);
+  applyRequest(press.half_major_mm, arguments.half_major_mm);
+  applyRequest(press.ratio, arguments.ratio);
+  applyRequest(press.direction_rad, arguments.direction_deg, kRadPerDeg);
+  applyRequest(press.drag_rad, arguments.drag_deg, kRadPerDeg);
+  applyRequest(press.peak_mm, arguments.peak_mm);
+  applyRequest(press.tail_power, arguments.tail_power);
+  applyRequest(press.asymmetry, arguments.asymmetry_percent, 0.01);
   if (!arguments.contact_mm.empty()) press.contact_mm = {arguments.contact_mm[0], arguments.contact_mm[1]};
   if (press.peak_mm > 0.0) return;
   press.dent_mm = 0.0;  // no press, so no stick in the picture
@@ -85,12 +85,12 @@ void changePress(const SynthesizeArguments& arguments, measure::Press& press) {
 }
 
 void changeMarks(const SynthesizeArguments& arguments, measure::DotMarks& marks) {
-  take(marks.missing, arguments.missing);
-  take(marks.strays, arguments.strays);
-  take(marks.jitter_mm, arguments.jitter_mm);
+  applyRequest(marks.missing, arguments.missing);
+  applyRequest(marks.strays, arguments.strays);
+  applyRequest(marks.jitter_mm, arguments.jitter_mm);
   if (!arguments.columns && !arguments.rows) return;
-  take(marks.columns, arguments.columns);
-  take(marks.rows, arguments.rows);
+  applyRequest(marks.columns, arguments.columns);
+  applyRequest(marks.rows, arguments.rows);
   marks.corner_mm = -0.5 * marks.spacing_mm * Vec2(marks.columns - 1, marks.rows - 1);
 }
 
@@ -101,15 +101,15 @@ SyntheticCase wanted(const SynthesizeArguments& arguments) {
                         {.megapixels = arguments.megapixels, .family = arguments.tail, .drift_mm = arguments.drift_mm});
   changePress(arguments, made.press);
   changeMarks(arguments, made.marks);
-  take(made.camera.tilt_rad, arguments.tilt_deg, kRadPerDeg);
-  take(made.camera.roll_rad, arguments.roll_deg, kRadPerDeg);
-  take(made.look.blur_px, arguments.blur_px);
+  applyRequest(made.camera.tilt_rad, arguments.tilt_deg, kRadPerDeg);
+  applyRequest(made.camera.roll_rad, arguments.roll_deg, kRadPerDeg);
+  applyRequest(made.look.blur_px, arguments.blur_px);
   return made;
 }
 
-void tell(const SynthesizeArguments& arguments, const std::vector<std::filesystem::path>& files,
-          const SyntheticCase& made) {
-  const measure::SyntheticTruth truth = truthOf(made);
+void printResult(const SynthesizeArguments& arguments, const std::vector<std::filesystem::path>& files,
+                 const SyntheticCase& made) {
+  const measure::SyntheticTruth truth = computeTruth(made);
   const measure::KeyEllipse& ellipse = truth.at_2_mm;
   if (arguments.json) {
     Json json = {{"folder", arguments.folder}, {"files", Json::array()}};
@@ -136,7 +136,7 @@ void runSynthesize(const SynthesizeArguments& arguments) {
   ProgressLine progress;
   const auto files = writeSynthetic(folder, made, progress.callback());
   progress.clear();
-  tell(arguments, files, made);
+  printResult(arguments, files, made);
 }
 
 void addPressOptions(Command& command, SynthesizeArguments& arguments) {
@@ -145,7 +145,7 @@ void addPressOptions(Command& command, SynthesizeArguments& arguments) {
       if (name == word) arguments.tail = family;
     }
   };
-  takesOneOf(namesOf(tails()),
+  restrictTo(choiceNames(tails()),
              command.add_option_function(
                  "--tail", choose,
                  "How the motion falls off: the half Gaussian, a long tail, an elastic half space, or one that ends"));

@@ -65,7 +65,7 @@ struct Extent {
 };
 
 /// The picture, or room around all that is marked.
-Extent extentOf(const OverlayPage& page) {
+Extent pageExtent(const OverlayPage& page) {
   const measure::Photograph* picture = page.before != nullptr ? page.before : page.after;
   // Pixels are counted from the centre of the first.
   if (picture != nullptr) return {{-0.5, -0.5}, {picture->width_px, picture->height_px}};
@@ -93,11 +93,11 @@ struct Layout {
   std::vector<std::string> findings;
 };
 
-Layout layoutOf(const OverlayPage& page) {
+Layout computeLayout(const OverlayPage& page) {
   const Canvas measure = Canvas::png(1.0, 1.0, 1.0);
   const auto count = static_cast<double>(std::max<std::size_t>(1, page.overlay.panels.size()));
   const double width = (page.width_px - 2.0 * kMargin - (count - 1.0) * kBetweenPanels) / count;
-  const Extent extent = extentOf(page);
+  const Extent extent = pageExtent(page);
   const double sheet_per_px = width / extent.size_px.x();
   const double top = kMargin + kTitleSize + kGap;
   Layout layout;
@@ -217,7 +217,7 @@ void drawScaleBar(Canvas& canvas, const measure::OverlayPanel& panel, const Pane
   canvas.text(from + Vec2(0.0, -5.0), "50 mm", style);
 }
 
-void drawLegendOf(Canvas& canvas, const measure::OverlayPanel& panel, const Vec2& corner) {
+void drawPanelLegend(Canvas& canvas, const measure::OverlayPanel& panel, const Vec2& corner) {
   for (std::size_t i = 0; i < panel.legend.size(); ++i) {
     const measure::LegendEntry& entry = panel.legend[i];
     const Vec2 at = corner + Vec2(0.0, (static_cast<double>(i) + 0.5) * kRow);
@@ -250,7 +250,7 @@ void drawPanel(Canvas& canvas, const OverlayPage& page, const measure::OverlayPa
   canvas.rectangle(place, Pen{kGrid, 1.0}, std::nullopt);
 }
 
-void drawWords(Canvas& canvas, const OverlayPage& page, const Layout& layout) {
+void drawVerdict(Canvas& canvas, const OverlayPage& page, const Layout& layout) {
   TextStyle verdict = kVerdict;
   verdict.colour = page.overlay.accepted ? Colour{0.0, 0.42, 0.22} : Colour{0.72, 0.10, 0.05};
   double top = layout.verdict_top;
@@ -267,29 +267,29 @@ void drawWords(Canvas& canvas, const OverlayPage& page, const Layout& layout) {
 void draw(Canvas& canvas, const OverlayPage& page, const Layout& layout, double scale) {
   for (std::size_t i = 0; i < page.overlay.panels.size(); ++i) {
     drawPanel(canvas, page, page.overlay.panels[i], layout.panels[i], scale);
-    drawLegendOf(canvas, page.overlay.panels[i], {layout.panels[i].place.left, layout.legend_top});
+    drawPanelLegend(canvas, page.overlay.panels[i], {layout.panels[i].place.left, layout.legend_top});
   }
-  drawWords(canvas, page, layout);
+  drawVerdict(canvas, page, layout);
 }
 
 }  // namespace
 
 std::string overlayPng(const OverlayPage& page, double scale) {
-  const Layout layout = layoutOf(page);
+  const Layout layout = computeLayout(page);
   Canvas canvas = Canvas::png(page.width_px, layout.height, scale);
   draw(canvas, page, layout, scale);
   return canvas.finish();
 }
 
 std::string overlaySvg(const OverlayPage& page) {
-  const Layout layout = layoutOf(page);
+  const Layout layout = computeLayout(page);
   Canvas canvas = Canvas::svg(page.width_px, layout.height);
   draw(canvas, page, layout, 2.0);
   return canvas.finish();
 }
 
-std::vector<DrawnText> textsOf(const OverlayPage& page) {
-  const Layout layout = layoutOf(page);
+std::vector<DrawnText> collectDrawnTexts(const OverlayPage& page) {
+  const Layout layout = computeLayout(page);
   Canvas canvas = Canvas::png(page.width_px, layout.height, 1.0);
   draw(canvas, page, layout, 1.0);
   return canvas.texts();

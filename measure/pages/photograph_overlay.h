@@ -24,7 +24,7 @@ struct OverlayPage {
 
 std::string overlayPng(const OverlayPage& page, double scale = 1.0);
 std::string overlaySvg(const OverlayPage& page);
-std::vector<DrawnText> textsOf(const OverlayPage& page);
+std::vector<DrawnText> collectDrawnTexts(const OverlayPage& page);
 
 /// Writes PNG or SVG, by the name's extension. Throws Error.
 void writeOverlay(const OverlayPage& page, const std::filesystem::path& file, double scale = 1.0);

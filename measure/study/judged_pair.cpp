@@ -34,7 +34,7 @@ const TrueDot* trueDotAt(const SyntheticTruth& truth, const Vec2& before_px) {
   return nearest;
 }
 
-double middleOf(std::vector<double> values) {
+double middleValue(std::vector<double> values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
@@ -52,7 +52,7 @@ Vec2 stepBetweenFrames(const measure::SyntheticCase& made, const SyntheticTruth&
     right.push_back(known->skin_mm.x() - dot.skin_mm.x());
     up.push_back(known->skin_mm.y() - dot.skin_mm.y());
   }
-  const Vec2 step(middleOf(right), middleOf(up));
+  const Vec2 step(middleValue(right), middleValue(up));
   const double spacing = made.marks.spacing_mm;
   const Vec2 whole = ((step - made.marks.corner_mm) / spacing).array().round();
   return made.marks.corner_mm + spacing * whole;

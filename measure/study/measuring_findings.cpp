@@ -13,7 +13,7 @@ namespace {
 using measure::TailFamily;
 
 FindingValues metBars(const MeasuringMeasurement& found) {
-  const std::vector<Bar> bars = barsOf(found);
+  const std::vector<Bar> bars = checkBars(found);
   FindingValues missed = FindingValues::array();
   for (const Bar& bar : bars) {
     if (!bar.met) missed.push_back({{"what", bar.what}, {"shown", bar.shown}, {"bar", bar.bar}});
@@ -111,7 +111,7 @@ FindingValues foundDots(const MeasuringMeasurement& found) {
 
 std::vector<std::string> measuringFindings(const MeasuringMeasurement& found) {
   const SetNumbers all = numbersOf(found.good);
-  return findingsOf(
+  return formatFindings(
       texts::measuring_findings,
       {{"bars", metBars(found)},
        {"axes", axesOfFamilies(found)},

@@ -21,7 +21,7 @@ using measure::TailFamily;
 /// Numbers of streams: the pairs of one are not those of another.
 enum class Stream : std::uint64_t { good = 1, corrupted, drifted, half_space, windowed, lopsided, timed, outside };
 
-std::uint64_t seedOf(std::uint64_t seed, Stream stream, std::size_t i) {
+std::uint64_t streamSeed(std::uint64_t seed, Stream stream, std::size_t i) {
   Random random(seed * 0x2545f4914f6cdd1dull + static_cast<std::uint64_t>(stream) * 1000003u + i);
   return random.bits();
 }
@@ -30,16 +30,16 @@ std::uint64_t seedOf(std::uint64_t seed, Stream stream, std::size_t i) {
 void shareOut(std::size_t count, const Progress& progress, std::string_view stage,
               const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
-  const auto take = [&](bool tells) {
+  const auto run_pieces = [&](bool tells) {
     for (std::size_t i = next++; i < count; i = next++) {
       if (tells) report(progress, stage, static_cast<double>(i) / static_cast<double>(count));
       work(i);
     }
   };
-  if (processors() < 2) return take(true);
-  Background beside([&] { take(false); });
+  if (processors() < 2) return run_pieces(true);
+  Background beside([&] { run_pieces(false); });
   try {
-    take(true);
+    run_pieces(true);
   } catch (...) {
     next = count;  // the other ends after its piece
     throw;
@@ -56,7 +56,7 @@ std::vector<JudgedPair> measureGood(const MeasuringPlan& plan, const Progress& p
   std::vector<JudgedPair> judged(plan.cases);
   shareOut(plan.cases, progress, "good pairs", [&](std::size_t i) {
     const bool large = plan.large_every > 0 && i % plan.large_every == plan.large_every - 1;
-    judged[i] = judgeRendered(measure::drawCase(seedOf(plan.seed, Stream::good, i),
+    judged[i] = judgeRendered(measure::drawCase(streamSeed(plan.seed, Stream::good, i),
                                                 {.megapixels = large ? plan.timed_megapixels : plan.megapixels,
                                                  .family = i % 2 == 0 ? TailFamily::compact : TailFamily::long_tail}));
   });
@@ -67,7 +67,7 @@ std::vector<JudgedCorrupted> measureCorrupted(const MeasuringPlan& plan, const P
   std::vector<JudgedCorrupted> judged(corruptedKinds().size() * plan.corrupted_each);
   shareOut(judged.size(), progress, "corrupted pairs", [&](std::size_t i) {
     const std::size_t kind = i / plan.corrupted_each;
-    const CorruptedPair pair = corruptedPair(kind, seedOf(plan.seed, Stream::corrupted, i), plan.megapixels);
+    const CorruptedPair pair = corruptedPair(kind, streamSeed(plan.seed, Stream::corrupted, i), plan.megapixels);
     judged[i] = {kind, judgePair(pair.made, pair.truth, measure::measurePair(pair.before, pair.after, pair.settings))};
   });
   return judged;
@@ -87,10 +87,10 @@ ExactPairs measureExact(const MeasuringPlan& plan, const ExactKind& kind, const 
   ExactPairs exact{kind.name, std::vector<JudgedPair>(plan.exact_each)};
   shareOut(plan.exact_each, progress, kind.name, [&](std::size_t i) {
     SyntheticCase made = measure::drawCase(
-        seedOf(plan.seed, kind.stream, i),
+        streamSeed(plan.seed, kind.stream, i),
         {.megapixels = plan.megapixels, .family = kind.families[i % kind.families.size()], .drift_mm = kind.drift_mm});
     made.press.asymmetry = kind.asymmetry;
-    const measure::SyntheticTruth truth = measure::truthOf(made);
+    const measure::SyntheticTruth truth = measure::computeTruth(made);
     exact.pairs[i] =
         judgePair(made, truth, measure::measureDots(exactDots(made, truth), {.drift_mm = kind.told_drift_mm}));
   });
@@ -101,7 +101,7 @@ ExactPairs measureExact(const MeasuringPlan& plan, const ExactKind& kind, const 
 double timeLarge(const MeasuringPlan& plan, const Progress& progress) {
   report(progress, "a large pair", 0.0);
   const SyntheticCase made =
-      measure::drawCase(seedOf(plan.seed, Stream::timed, 0), {.megapixels = plan.timed_megapixels});
+      measure::drawCase(streamSeed(plan.seed, Stream::timed, 0), {.megapixels = plan.timed_megapixels});
   std::vector<std::vector<std::uint8_t>> files;
   for (const measure::Moment moment : {measure::Moment::before, measure::Moment::after}) {
     files.push_back(measure::jpegBytes(measure::renderPicture(made, moment), made.look.jpeg_quality));
@@ -118,17 +118,17 @@ double timeLarge(const MeasuringPlan& plan, const Progress& progress) {
 double timeFits(const MeasuringPlan& plan) {
   std::vector<std::vector<measure::FieldDatum>> data;
   for (std::size_t i = 0; i < 10; ++i) {
-    const SyntheticCase made = measure::drawCase(seedOf(plan.seed, Stream::timed, i), {.megapixels = 0.5});
+    const SyntheticCase made = measure::drawCase(streamSeed(plan.seed, Stream::timed, i), {.megapixels = 0.5});
     Random random(i);
     std::vector<measure::FieldDatum> dots;
-    for (const measure::TrueDot& dot : measure::truthOf(made).dots) {
+    for (const measure::TrueDot& dot : measure::computeTruth(made).dots) {
       const Vec2 noise = 0.1 * random.normal2();
       dots.push_back(
           {dot.skin_mm, dot.moved_mm + noise, {dot.skin_mm.x(), -dot.skin_mm.y()}, Mat2(Vec2(1.0, -1.0).asDiagonal())});
     }
     data.push_back(std::move(dots));
   }
-  const measure::DriftPrior prior = measure::driftPriorOf(0.4);
+  const measure::DriftPrior prior = measure::makeDriftPrior(0.4);
   const auto start = Clock::now();
   for (std::size_t i = 0; i < 100; ++i) measure::fitField(data[i % data.size()], prior);
   return secondsSince(start);
@@ -145,8 +145,8 @@ ExactPairs measureOutside(OutsideFamily family, std::uint64_t seed, std::size_t 
   const OutsideFields fields(family, seed, progress);
   ExactPairs exact{std::string(nameOf(family)), std::vector<JudgedPair>(count)};
   shareOut(count, progress, exact.name, [&](std::size_t i) {
-    const SyntheticCase made = fields.caseOf(seedOf(seed, Stream::outside, i), i);
-    const measure::SyntheticTruth truth = measure::truthOf(made);
+    const SyntheticCase made = fields.makeCase(streamSeed(seed, Stream::outside, i), i);
+    const measure::SyntheticTruth truth = measure::computeTruth(made);
     exact.pairs[i] = judgePair(made, truth, measure::measureDots(exactDots(made, truth)));
   });
   return exact;

@@ -138,7 +138,7 @@ double refusedAsMoved(const std::vector<JudgedPair>& pairs) {
   return static_cast<double>(moved) / static_cast<double>(pairs.size());
 }
 
-std::vector<Bar> barsOf(const MeasuringMeasurement& found) {
+std::vector<Bar> checkBars(const MeasuringMeasurement& found) {
   const SetNumbers all = numbersOf(found.good);
   const SetNumbers compact = numbersOf(ofFamily(found.good, TailFamily::compact));
   const SetNumbers half_space = numbersOf(found.half_space.pairs);

@@ -79,7 +79,7 @@ struct Bar {
   bool met = false;
 };
 
-std::vector<Bar> barsOf(const MeasuringMeasurement& found);
+std::vector<Bar> checkBars(const MeasuringMeasurement& found);
 
 /// Results by the names that programs know.
 std::vector<std::pair<std::string, double>> measuringPairs(const MeasuringMeasurement& found);

@@ -32,7 +32,8 @@ std::string both(const Percentiles& numbers) {
 
 TextTable barTable(const MeasuringMeasurement& found) {
   TextTable table{{"", "bar", "reached", ""}, {}};
-  for (const Bar& bar : barsOf(found)) table.rows.push_back({bar.what, bar.bar, bar.shown, bar.met ? "met" : "missed"});
+  for (const Bar& bar : checkBars(found))
+    table.rows.push_back({bar.what, bar.bar, bar.shown, bar.met ? "met" : "missed"});
   return table;
 }
 
@@ -208,14 +209,14 @@ Plot directionPlot(const MeasuringMeasurement& found) {
   return plot;
 }
 
-MeasuringPlan planOf(const StudySettings& settings) {
+MeasuringPlan makeMeasuringPlan(const StudySettings& settings) {
   MeasuringPlan plan = measuringPlan(settings.quick);
   plan.seed = settings.seed.value_or(plan.seed);
   plan.cases = settings.cases.value_or(plan.cases);
   return plan;
 }
 
-std::string commandOf(const StudySettings& settings, const MeasuringPlan& plan) {
+std::string formatCommand(const StudySettings& settings, const MeasuringPlan& plan) {
   if (settings.quick && !settings.seed && !settings.cases) return {};
   return fmt::format("palpate study measuring --seed {} --cases {}{} --out DIR", plan.seed, plan.cases,
                      settings.quick ? " --quick" : "");
@@ -223,7 +224,7 @@ std::string commandOf(const StudySettings& settings, const MeasuringPlan& plan) 
 
 StudyPage studyMeasuring(const StudySettings& settings) {
   if (!settings.family.empty()) return studyMeasuringOutside(settings);
-  const MeasuringPlan plan = planOf(settings);
+  const MeasuringPlan plan = makeMeasuringPlan(settings);
   const MeasuringMeasurement found = measureMeasuring(plan, settings.progress);
   return {
       .title = "Measuring the key ellipse from two photographs",
@@ -263,7 +264,7 @@ StudyPage studyMeasuring(const StudySettings& settings) {
             Figure{.panels = {sdPlot(found), sharePlot(found), directionPlot(found)}, .columns = 3}}},
       .numbers = measuringPairs(found),
       .numbers_on_top = true,
-      .command = commandOf(settings, plan)};
+      .command = formatCommand(settings, plan)};
 }
 
 }  // namespace

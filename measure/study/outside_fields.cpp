@@ -86,14 +86,14 @@ Mat2 toUnit(const Press& press) {
   return Vec2(1.0 / press.half_major_mm, press.ratio / press.half_major_mm).asDiagonal() * turn.transpose();
 }
 
-Motion exponentialOf(const Press& press) {
+Motion makeExponentialMotion(const Press& press) {
   const Mat2 unit = toUnit(press);
   const Vec2 peak = press.peak_mm * Vec2(std::cos(press.drag_rad), std::sin(press.drag_rad));
   const double rate = std::log(press.peak_mm / 2.0);
   return [=](const Vec2& offset) -> Vec2 { return std::exp(-rate * (unit * offset).norm()) * peak; };
 }
 
-Motion irregularOf(const Press& press, bool long_tail, Random& random) {
+Motion makeIrregularMotion(const Press& press, bool long_tail, Random& random) {
   const Mat2 unit = toUnit(press);
   const Vec2 peak = press.peak_mm * Vec2(std::cos(press.drag_rad), std::sin(press.drag_rad));
   const double power = press.tail_power;
@@ -120,7 +120,7 @@ std::vector<NamedFamily> outsideFamilies() { return {kOutsideFamilies.begin(), k
 
 std::string_view nameOf(OutsideFamily family) { return kOutsideFamilies.at(static_cast<std::size_t>(family)).name; }
 
-OutsideFamily outsideFamilyOf(std::string_view name) {
+OutsideFamily parseOutsideFamily(std::string_view name) {
   std::vector<std::string_view> names;
   for (const NamedFamily& family : kOutsideFamilies) {
     if (family.name == name) return family.family;
@@ -139,7 +139,7 @@ OutsideFields::OutsideFields(OutsideFamily family, std::uint64_t seed, const Pro
   }
 }
 
-SyntheticCase OutsideFields::caseOf(std::uint64_t seed, std::size_t i) const {
+SyntheticCase OutsideFields::makeCase(std::uint64_t seed, std::size_t i) const {
   SyntheticCase made = measure::drawCase(seed, {.family = measure::TailFamily::long_tail});
   Random random(seed ^ 0xd6e8feb86659fd93ull);
   Press& press = made.press;
@@ -162,10 +162,10 @@ SyntheticCase OutsideFields::caseOf(std::uint64_t seed, std::size_t i) const {
       break;
     }
     case OutsideFamily::exponential:
-      press.given = exponentialOf(press);
+      press.given = makeExponentialMotion(press);
       break;
     case OutsideFamily::irregular:
-      press.given = irregularOf(press, i % 2 == 1, random);
+      press.given = makeIrregularMotion(press, i % 2 == 1, random);
       break;
   }
   press.family = measure::TailFamily::given;

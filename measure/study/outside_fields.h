@@ -32,7 +32,7 @@ struct NamedFamily {
 std::vector<NamedFamily> outsideFamilies();
 std::string_view nameOf(OutsideFamily family);
 /// Throws Error naming the families.
-OutsideFamily outsideFamilyOf(std::string_view name);
+OutsideFamily parseOutsideFamily(std::string_view name);
 
 class OutsideFields {
  public:
@@ -40,7 +40,7 @@ class OutsideFields {
   OutsideFields(OutsideFamily family, std::uint64_t seed, const Progress& progress);
 
   /// Case `i`: marks, camera and body of `drawCase(seed)`, with the press of the family.
-  measure::SyntheticCase caseOf(std::uint64_t seed, std::size_t i) const;
+  measure::SyntheticCase makeCase(std::uint64_t seed, std::size_t i) const;
 
  private:
   OutsideFamily family_;

@@ -11,7 +11,7 @@ namespace palpate::study {
 
 namespace {
 
-double shareOf(std::size_t part, std::size_t all, double of_none) {
+double computeShare(std::size_t part, std::size_t all, double of_none) {
   return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : of_none;
 }
 
@@ -101,11 +101,11 @@ OutsideNumbers outsideNumbers(const std::vector<JudgedPair>& pairs) {
     warned += static_cast<std::size_t>(isWarned(pair));
     missed_warned += static_cast<std::size_t>(!within && isWarned(pair));
   }
-  n.axes_within_2sd = shareOf(axes, n.accepted, 0.0);
-  n.axes4_within_2sd = shareOf(axes4, n.accepted, 0.0);
-  n.peak_within_2sd = shareOf(peaks, n.peaks, 1.0);
-  n.warned_share = shareOf(warned, n.accepted, 1.0);
-  n.missed_warned_share = shareOf(missed_warned, n.accepted - axes, 1.0);
+  n.axes_within_2sd = computeShare(axes, n.accepted, 0.0);
+  n.axes4_within_2sd = computeShare(axes4, n.accepted, 0.0);
+  n.peak_within_2sd = computeShare(peaks, n.peaks, 1.0);
+  n.warned_share = computeShare(warned, n.accepted, 1.0);
+  n.missed_warned_share = computeShare(missed_warned, n.accepted - axes, 1.0);
   return n;
 }
 
@@ -116,7 +116,7 @@ std::vector<std::string> namesOfOutsideFamilies() {
 }
 
 StudyPage studyMeasuringOutside(const StudySettings& settings) {
-  const OutsideFamily family = outsideFamilyOf(settings.family);
+  const OutsideFamily family = parseOutsideFamily(settings.family);
   const std::size_t cases = settings.cases.value_or(settings.quick ? 4 : kOutsideCases);
   const std::uint64_t seed = settings.seed.value_or(1);
   const ExactPairs found = measureOutside(family, seed, cases, settings.progress);
@@ -144,7 +144,7 @@ StudyPage studyMeasuringOutside(const StudySettings& settings) {
                   {"accepted_share", n.acceptedShare()},
                   {"warned_share", n.warned_share},
                   {"axes4_within_2sd", n.axes4_within_2sd},
-                  {"peak_stated_share", shareOf(n.peaks, n.accepted, 0.0)},
+                  {"peak_stated_share", computeShare(n.peaks, n.accepted, 0.0)},
                   {"missed_warned_share", n.missed_warned_share},
                   {"axis2_median_percent", set.axis2_percent.median},
                   {"axis2_p95_percent", set.axis2_percent.p95},

@@ -18,7 +18,7 @@ constexpr std::size_t kMaxTableBytes = std::size_t{64} << 20;
 constexpr std::string_view kPlainColumns = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg";
 constexpr std::size_t kPlainCount = 6;
 
-std::vector<std::string> columnsOf(std::string_view line) {
+std::vector<std::string> splitFields(std::string_view line) {
   std::vector<std::string> fields;
   for (const std::string_view field : split(line.substr(0, line.find('#')), ',')) fields.emplace_back(trimmed(field));
   return fields;
@@ -28,8 +28,8 @@ bool holdsSomething(std::string_view line) { return !trimmed(line.substr(0, line
 
 /// Writes the row in other columns; unknown values stay empty.
 std::string inColumns(const KeyTableRow& row, const std::vector<std::string>& columns) {
-  const std::vector<std::string> names = columnsOf(row.header);
-  const std::vector<std::string> values = columnsOf(row.values);
+  const std::vector<std::string> names = splitFields(row.header);
+  const std::vector<std::string> values = splitFields(row.values);
   std::string line;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto at = static_cast<std::size_t>(std::find(names.begin(), names.end(), columns[i]) - names.begin());
@@ -42,9 +42,9 @@ std::string inColumns(const KeyTableRow& row, const std::vector<std::string>& co
 std::vector<std::string> columnsOfTable(const std::vector<std::string>& lines) {
   const auto first = std::find_if(lines.begin(), lines.end(), holdsSomething);
   if (first == lines.end()) return {};
-  std::vector<std::string> columns = columnsOf(*first);
+  std::vector<std::string> columns = splitFields(*first);
   if (columns.front() == "name") return columns;
-  std::vector<std::string> plain = columnsOf(kPlainColumns);
+  std::vector<std::string> plain = splitFields(kPlainColumns);
   if (columns.size() > kPlainCount) plain.emplace_back("stiffness_n_per_mm");
   return plain;
 }
@@ -85,9 +85,9 @@ std::string tableWith(const KeyTableFile& table, const KeyTableRow& row) {
     lines.push_back(row.header);
     lines.push_back(row.values);
   } else {
-    const std::string name = columnsOf(row.values).front();
+    const std::string name = splitFields(row.values).front();
     const auto same = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) {
-      return holdsSomething(line) && columnsOf(line).front() == name;
+      return holdsSomething(line) && splitFields(line).front() == name;
     });
     if (same == lines.end()) {
       lines.push_back(inColumns(row, columns));

@@ -59,7 +59,7 @@ void photoRows(MeasuringView& view, MeasuringRequests& requests) {
   }
 }
 
-const char* hintOf(const MeasuringView& view) {
+const char* toolHint(const MeasuringView& view) {
   if (view.tool == MeasuringTool::contact)
     return toTranslate("Click where the stick touched the skin, in the photograph before.");
   if (view.tool == MeasuringTool::dots) {
@@ -71,7 +71,7 @@ const char* hintOf(const MeasuringView& view) {
 }
 
 void hintRows(MeasuringView& view) {
-  remark(hintOf(view));
+  remark(toolHint(view));
   if (view.settings.contact_px &&
       buttonWidget("measuring/no_contact", "Forget the contact", "The fitted contact is then compared with nothing.")) {
     setContact(view, std::nullopt);
@@ -100,8 +100,8 @@ void findingLines(const MeasuringView& view) {
   ImGui::PushTextWrapPos(0.0f);
   for (const measure::Finding& finding : view.measured->findings) {
     const bool refusal = finding.severity == measure::Severity::refusal;
-    severeWords(refusal ? Severity::error : Severity::warning,
-                fmt::format("{}: {}", tr(refusal ? "Refused" : "Warning"), wordsHere(finding)));
+    drawSeverityText(refusal ? Severity::error : Severity::warning,
+                     fmt::format("{}: {}", tr(refusal ? "Refused" : "Warning"), wordsHere(finding)));
   }
   ImGui::PopTextWrapPos();
 }

@@ -70,7 +70,7 @@ std::string doubts(const measure::Measurement& measured, const KeyTableFile& tab
   return words;
 }
 
-KeyTableRow rowOf(const measure::Measurement& measured, const std::string& name, const Vec2& at_mm) {
+KeyTableRow makeKeyTableRow(const measure::Measurement& measured, const std::string& name, const Vec2& at_mm) {
   const std::string header = measure::keyRowHeader();
   const std::string values = measure::keyRow(measured, name, at_mm);
   return {std::string(trimmed(header)), std::string(trimmed(values))};
@@ -118,7 +118,7 @@ bool MeasuringMode::handle(const Request& request, ViewerState& viewer) {
   }
   const bool undoes = std::holds_alternative<Undo>(request);
   if (undoes || std::holds_alternative<Redo>(request)) {
-    if (view_.open) takeBack(undoes, viewer);
+    if (view_.open) undoOrRedo(undoes, viewer);
     return view_.open;
   }
   const auto* quit = std::get_if<Quit>(&request);
@@ -172,7 +172,7 @@ void MeasuringMode::handle(const MeasuringRequest& request, ViewerState& viewer)
   view_.open = true;
 }
 
-void MeasuringMode::takeBack(bool undoes, ViewerState& viewer) {
+void MeasuringMode::undoOrRedo(bool undoes, ViewerState& viewer) {
   const std::string words = undoes ? undoCorrection(view_) : redoCorrection(view_);
   const std::string nothing = tr(undoes ? "Nothing to undo" : "Nothing to redo");
   const std::string done = undoes ? trf("Undo: {}", words) : trf("Redo: {}", words);
@@ -224,7 +224,7 @@ void MeasuringMode::take(ViewerState& viewer) {
     view.photos[i] = {read->file, read->width_px, read->height_px, read->notes, pictures_[i]->texture()};
   }
   of_photographs_ = std::move(result->of_photographs_alone);
-  if (result->measured) takeMeasured(view, result->measured, std::move(result->overlay), result->of_photographs);
+  if (result->measured) acceptMeasurement(view, result->measured, std::move(result->overlay), result->of_photographs);
   if (result->errors.empty()) return;
   view.failure = result->errors.front();
   for (const std::string& error : result->errors) viewer.report(Severity::error, error);
@@ -247,7 +247,7 @@ MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
     return Accepting::asked;
   }
   try {
-    writeFile(file, tableWith(table, rowOf(*view.measured, name, *view.form.at_mm)));
+    writeFile(file, tableWith(table, makeKeyTableRow(*view.measured, name, *view.form.at_mm)));
   } catch (const std::exception& error) {
     viewer.report(Severity::error, error.what());
     return Accepting::failed;

@@ -30,7 +30,7 @@ namespace palpate::viewer {
 
 // Reads and measures photographs on its own thread, one job at a time: the newest request wins.
 //
-//   MeasuringJob ─ own thread: readPhotograph, measurePair │ measureDots, overlayOf ─► MeasuringResult, taken by a
+//   MeasuringJob ─ own thread: readPhotograph, measurePair │ measureDots, buildOverlay ─► MeasuringResult, taken by a
 //   frame
 
 struct MeasuringJob {
@@ -128,7 +128,7 @@ class MeasuringMode : public Mode {
 
   void handle(const MeasuringRequest& request, ViewerState& viewer);
   bool asksFirst(Waiting waiting, ViewerState& viewer);
-  void takeBack(bool undoes, ViewerState& viewer);
+  void undoOrRedo(bool undoes, ViewerState& viewer);
   void startMeasuring();
   void take(ViewerState& viewer);
 

@@ -17,7 +17,7 @@ void addEllipse(const measure::KeyEllipse& ellipse, std::vector<MeasuredNumber>&
   numbers.push_back({trf("half minor at {:g} mm", ellipse.level_mm), withSd(ellipse.half_minor_mm, 1, " mm")});
 }
 
-std::string directionWords(const measure::Estimate& direction) {
+std::string formatDirection(const measure::Estimate& direction) {
   return direction.sd > kVagueDeg ? tr("hardly determined") : withSd(direction, 1, "°");
 }
 
@@ -40,7 +40,7 @@ std::vector<MeasuredNumber> measuredNumbers(const measure::Measurement& measured
   std::vector<MeasuredNumber> numbers;
   addEllipse(fit.at_2_mm, numbers);
   numbers.push_back({tr("major over minor"), withSd(fit.at_2_mm.major_over_minor, 2, "")});
-  numbers.push_back({tr("direction"), directionWords(fit.at_2_mm.direction_deg)});
+  numbers.push_back({tr("direction"), formatDirection(fit.at_2_mm.direction_deg)});
   addEllipse(fit.at_4_mm, numbers);
   numbers.push_back({tr("peak"), fit.peak_mm ? withSd(*fit.peak_mm, 1, " mm") : tr("not seen")});
   numbers.push_back({tr("dragged towards"), withSd(fit.drag_deg, 1, "°")});

@@ -20,7 +20,7 @@ void measureAgain(MeasuringView& view) {
   view.stale = std::max(view.stale, Stale::marks);
 }
 
-void keepStep(MeasuringView& view, Corrections before, std::string words) {
+void commitStep(MeasuringView& view, Corrections before, std::string words) {
   view.history.add(std::move(before), std::move(words));
   view.nudged.reset();
   measureAgain(view);
@@ -36,7 +36,7 @@ void restore(MeasuringView& view, Corrections to) {
 }
 
 /// The photograph that a tab shows alone.
-std::optional<Photo> photoOf(MeasuringTab tab) {
+std::optional<Photo> tabPhoto(MeasuringTab tab) {
   if (tab == MeasuringTab::before) return Photo::before;
   if (tab == MeasuringTab::after) return Photo::after;
   return std::nullopt;
@@ -52,7 +52,7 @@ bool goesOn(window::Action action) {
   return std::find(std::begin(kEverywhere), std::end(kEverywhere), action) != std::end(kEverywhere);
 }
 
-std::optional<Vec2> arrowOf(window::Key key) {
+std::optional<Vec2> arrowDirection(window::Key key) {
   if (key == window::Key::left) return Vec2(-1.0, 0.0);
   if (key == window::Key::right) return Vec2(1.0, 0.0);
   if (key == window::Key::up) return Vec2(0.0, -1.0);
@@ -89,7 +89,7 @@ void forgetMeasured(MeasuringView& view) {
   view.stale = Stale::photographs;
 }
 
-void keepInside(MeasuringView& view) {
+void clampMiddle(MeasuringView& view) {
   const double rim = 0.5 / view.zoom;
   view.middle = view.middle.cwiseMax(Vec2::Constant(rim)).cwiseMin(Vec2::Constant(1.0 - rim));
 }
@@ -133,16 +133,16 @@ bool isPhotograph(std::string_view file) {
   return std::find(std::begin(kKinds), std::end(kKinds), kind) != std::end(kKinds);
 }
 
-measure::DotPair marksOf(const measure::Measurement& measured) {
+measure::DotPair photoMarks(const measure::Measurement& measured) {
   measure::DotPair marks{measured.grid.strays, measured.after_dots};
   for (const measure::GridDot& of_grid : measured.grid.dots) marks.before.push_back(of_grid.dot);
   return marks;
 }
 
-void takeMeasured(MeasuringView& view, std::shared_ptr<const measure::Measurement> measured, measure::Overlay overlay,
-                  bool of_photographs) {
+void acceptMeasurement(MeasuringView& view, std::shared_ptr<const measure::Measurement> measured,
+                       measure::Overlay overlay, bool of_photographs) {
   if (of_photographs) {
-    view.marks = marksOf(*measured);
+    view.marks = photoMarks(*measured);
     view.history.clear();
     view.selected.reset();
     view.tab = MeasuringTab::result;
@@ -155,7 +155,7 @@ void takeMeasured(MeasuringView& view, std::shared_ptr<const measure::Measuremen
 std::optional<std::size_t> markAt(const MeasuringView& view, Photo which, const Vec2& at_px, double reach_px) {
   std::optional<std::size_t> nearest;
   double least = reach_px;
-  const std::vector<measure::Dot>& marks = view.marksOf(which);
+  const std::vector<measure::Dot>& marks = view.photoMarks(which);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const double distance = (marks[i].place_px - at_px).norm();
     if (distance > least) continue;
@@ -193,58 +193,58 @@ void dragPhoto(MeasuringView& view, const Vec2& at_px, double slack_px) {
   if (!drag.moved || !drag.mark || drag.selects) return;
   const Vec2 grabbed = drag.photo == Photo::before ? drag.before.marks.before[*drag.mark].place_px
                                                    : drag.before.marks.after[*drag.mark].place_px;
-  view.marksOf(drag.photo)[*drag.mark].place_px = grabbed + at_px - drag.from_px;
+  view.photoMarks(drag.photo)[*drag.mark].place_px = grabbed + at_px - drag.from_px;
 }
 
 void releasePhoto(MeasuringView& view) {
   if (!view.drag) return;
   MarkDrag drag = *std::exchange(view.drag, std::nullopt);
   if (drag.selects) return;
-  std::vector<measure::Dot>& marks = view.marksOf(drag.photo);
+  std::vector<measure::Dot>& marks = view.photoMarks(drag.photo);
   if (!drag.mark) {
     if (drag.moved) return;  // a slip, not a click
     marks.push_back({drag.from_px, 0.0});
     view.selected = ChosenMark{drag.photo, marks.size() - 1};
-    return keepStep(view, std::move(drag.before), tr("add a dot"));
+    return commitStep(view, std::move(drag.before), tr("add a dot"));
   }
-  if (drag.moved) return keepStep(view, std::move(drag.before), tr("move a dot"));
+  if (drag.moved) return commitStep(view, std::move(drag.before), tr("move a dot"));
   marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(*drag.mark));
   view.selected.reset();
-  keepStep(view, std::move(drag.before), tr("remove a dot"));
+  commitStep(view, std::move(drag.before), tr("remove a dot"));
 }
 
 void removeSelected(MeasuringView& view) {
   if (!view.selected) return;
   Corrections before = correctionsNow(view);
-  std::vector<measure::Dot>& marks = view.marksOf(view.selected->photo);
+  std::vector<measure::Dot>& marks = view.photoMarks(view.selected->photo);
   marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(view.selected->index));
   view.selected.reset();
-  keepStep(view, std::move(before), tr("remove a dot"));
+  commitStep(view, std::move(before), tr("remove a dot"));
 }
 
 void nudgeSelected(MeasuringView& view, const Vec2& by_px) {
   if (!view.selected) return;
   Corrections before = correctionsNow(view);
-  view.marksOf(view.selected->photo)[view.selected->index].place_px += by_px;
+  view.photoMarks(view.selected->photo)[view.selected->index].place_px += by_px;
   if (view.nudged == view.selected) return measureAgain(view);  // one step, however often the key was pressed
-  keepStep(view, std::move(before), tr("nudge a dot"));
+  commitStep(view, std::move(before), tr("nudge a dot"));
   view.nudged = view.selected;
 }
 
 void setContact(MeasuringView& view, const std::optional<Vec2>& at_px) {
   if (view.settings.contact_px == at_px) return;
-  keepStep(view, correctionsNow(view), at_px ? tr("mark the contact") : tr("forget the contact"));
+  commitStep(view, correctionsNow(view), at_px ? tr("mark the contact") : tr("forget the contact"));
   view.settings.contact_px = at_px;
 }
 
 std::string undoCorrection(MeasuringView& view) {
-  const std::string words = view.history.undoWords();
+  const std::string words = view.history.undoLabel();
   if (view.history.canUndo()) restore(view, view.history.undo(correctionsNow(view)));
   return words;
 }
 
 std::string redoCorrection(MeasuringView& view) {
-  const std::string words = view.history.redoWords();
+  const std::string words = view.history.redoLabel();
   if (view.history.canRedo()) restore(view, view.history.redo(correctionsNow(view)));
   return words;
 }
@@ -255,12 +255,12 @@ void zoomAbout(MeasuringView& view, const Vec2& place, double factor) {
   const double before = view.zoom;
   view.zoom = std::clamp(view.zoom * factor, 1.0, kMaxZoom);
   view.middle = place + (view.middle - place) * (before / view.zoom);
-  keepInside(view);
+  clampMiddle(view);
 }
 
 void panBy(MeasuringView& view, const Vec2& by) {
   view.middle += by;
-  keepInside(view);
+  clampMiddle(view);
 }
 
 bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers& modifiers,
@@ -276,10 +276,10 @@ bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers&
     removeSelected(view);
   } else if (key == window::Key::home) {
     zoomAbout(view, view.middle, 1.0 / kMaxZoom);
-  } else if (const auto arrow = arrowOf(key)) {
+  } else if (const auto arrow = arrowDirection(key)) {
     nudgeSelected(view, *arrow * (modifiers.shift ? kFineNudgePx : kNudgePx));
-  } else if (const auto pressed = window::actionOf({key, modifiers})) {
-    if (pressed->action == window::Action::open) view.dialog = photoOf(view.tab).value_or(freePlace(view));
+  } else if (const auto pressed = window::findAction({key, modifiers})) {
+    if (pressed->action == window::Action::open) view.dialog = tabPhoto(view.tab).value_or(freePlace(view));
     return !goesOn(pressed->action);
   }
   return true;

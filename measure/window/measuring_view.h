@@ -133,8 +133,8 @@ struct MeasuringView {
 
   ShownPhoto& photo(Photo which) { return photos[static_cast<std::size_t>(which)]; }
   const ShownPhoto& photo(Photo which) const { return photos[static_cast<std::size_t>(which)]; }
-  std::vector<measure::Dot>& marksOf(Photo which) { return which == Photo::before ? marks.before : marks.after; }
-  const std::vector<measure::Dot>& marksOf(Photo which) const {
+  std::vector<measure::Dot>& photoMarks(Photo which) { return which == Photo::before ? marks.before : marks.after; }
+  const std::vector<measure::Dot>& photoMarks(Photo which) const {
     return which == Photo::before ? marks.before : marks.after;
   }
   bool hasPair() const { return !photos[0].file.empty() && !photos[1].file.empty(); }
@@ -156,10 +156,10 @@ Photo freePlace(const MeasuringView& view);
 bool isPhotograph(std::string_view file);
 
 /// Every mark that the photographs' measurement found.
-measure::DotPair marksOf(const measure::Measurement& measured);
+measure::DotPair photoMarks(const measure::Measurement& measured);
 /// A result and its overlay. With `of_photographs` the marks are those that were found.
-void takeMeasured(MeasuringView& view, std::shared_ptr<const measure::Measurement> measured, measure::Overlay overlay,
-                  bool of_photographs);
+void acceptMeasurement(MeasuringView& view, std::shared_ptr<const measure::Measurement> measured,
+                       measure::Overlay overlay, bool of_photographs);
 
 /// The nearest mark within `reach_px` of the photograph.
 std::optional<std::size_t> markAt(const MeasuringView& view, Photo which, const Vec2& at_px, double reach_px);

@@ -56,7 +56,7 @@ void tools(MeasuringView& view) {
   }
 }
 
-const measure::OverlayPanel* panelOf(const MeasuringView& view, measure::PanelPicture picture) {
+const measure::OverlayPanel* findPanel(const MeasuringView& view, measure::PanelPicture picture) {
   for (const measure::OverlayPanel& panel : view.overlay.panels) {
     if (panel.picture == picture) return &panel;
   }
@@ -66,9 +66,9 @@ const measure::OverlayPanel* panelOf(const MeasuringView& view, measure::PanelPi
 void showPhotos(MeasuringView& view, const Vec2& room) {
   using measure::PanelPicture;
   const PhotoPanel panels[] = {
-      {Photo::before, panelOf(view, PanelPicture::before), false, "measuring/before"},
-      {Photo::after, panelOf(view, PanelPicture::after), false, "measuring/after"},
-      {Photo::before, panelOf(view, PanelPicture::before_faded), true, "measuring/result"},
+      {Photo::before, findPanel(view, PanelPicture::before), false, "measuring/before"},
+      {Photo::after, findPanel(view, PanelPicture::after), false, "measuring/after"},
+      {Photo::before, findPanel(view, PanelPicture::before_faded), true, "measuring/result"},
   };
   if (view.tab != MeasuringTab::all) return photoPanel(view, panels[static_cast<std::size_t>(view.tab)], room);
   constexpr double kGap = 4.0;
@@ -84,7 +84,7 @@ struct Status {
   std::string words;
 };
 
-Status statusOf(const MeasuringView& view) {
+Status chooseStatus(const MeasuringView& view) {
   if (!view.failure.empty()) return {Severity::error, view.failure};
   if (view.measured) return {view.overlay.accepted ? Severity::info : Severity::error, view.overlay.verdict};
   return {Severity::info,
@@ -108,7 +108,7 @@ void statusRow(const MeasuringView& view, const Status& status, MeasuringRequest
     return;
   }
   ImGui::PushTextWrapPos(0.0f);
-  severeWords(status.severity, status.words);
+  drawSeverityText(status.severity, status.words);
   ImGui::PopTextWrapPos();
 }
 
@@ -120,7 +120,7 @@ void photoSide(MeasuringView& view, bool narrow, MeasuringRequests& requests) {
     return ImGui::EndChild();
   }
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const Status status = statusOf(view);
+  const Status status = chooseStatus(view);
   showPhotos(view, Vec2(std::max(40.0f, room.x), std::max(40.0f, room.y - statusHeight(status, room))));
   statusRow(view, status, requests);
 }

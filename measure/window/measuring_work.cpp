@@ -16,7 +16,7 @@ namespace {
 
 struct GivenUp : std::exception {};
 
-view::Image imageOf(const measure::Photograph& photo) {
+view::Image makePreview(const measure::Photograph& photo) {
   view::Image image(photo.width_px, photo.height_px);
   std::memcpy(image.pixels.data(), photo.rgb.data(), photo.rgb.size());
   while (std::max(image.width, image.height) > kMaxShownPx) {
@@ -34,8 +34,8 @@ bool has(const std::vector<measure::Finding>& findings, const measure::Finding& 
 }
 
 /// Findings that the marks of the same photographs do not show: time stamps, colours, the stick.
-std::vector<measure::Finding> toldByPhotographsAlone(const measure::Measurement& whole) {
-  const measure::DotPair marks = marksOf(whole);
+std::vector<measure::Finding> photographOnlyFindings(const measure::Measurement& whole) {
+  const measure::DotPair marks = photoMarks(whole);
   const std::vector<measure::Finding> by_marks = measure::measureDots(marks, whole.settings).findings;
   std::vector<measure::Finding> alone = whole.findings;
   std::erase_if(alone, [&](const measure::Finding& finding) { return has(by_marks, finding); });
@@ -45,7 +45,7 @@ std::vector<measure::Finding> toldByPhotographsAlone(const measure::Measurement&
 void measurePhotographs(const std::array<std::optional<measure::Photograph>, 2>& photos, const MeasuringJob& job,
                         const Progress& progress, MeasuringResult& result) {
   measure::Measurement whole = measure::measurePair(*photos[0], *photos[1], job.settings, progress);
-  result.of_photographs_alone = toldByPhotographsAlone(whole);
+  result.of_photographs_alone = photographOnlyFindings(whole);
   result.measured = std::make_shared<measure::Measurement>(std::move(whole));
 }
 
@@ -78,12 +78,12 @@ MeasuringResult measured(const MeasuringJob& job, const Progress& progress) {
     attempt([&] {
       photos[i] = measure::readPhotograph(job.files[i]);
       result.photos[i] = {job.files[i], photos[i]->width_px, photos[i]->height_px, photos[i]->notes,
-                          imageOf(*photos[i])};
+                          makePreview(*photos[i])};
     });
   }
   if (photos[0] && photos[1]) attempt([&] { measurePhotographs(photos, job, progress, result); });
   if (!job.ofPhotographs()) attempt([&] { measureMarks(job, progress, result); });
-  if (result.measured) result.overlay = measure::overlayOf(*result.measured);
+  if (result.measured) result.overlay = measure::buildOverlay(*result.measured);
   return result;
 }
 

@@ -160,7 +160,7 @@ void drawOverlay(ImDrawList& list, const measure::OverlayPanel& panel, const Pho
   }
 }
 
-void drawOverlayWords(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame) {
+void drawOverlayLabels(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame) {
   const auto left = static_cast<float>(frame.corner.x()) + 6.0f;
   const auto top = static_cast<float>(frame.corner.y()) + 4.0f;
   const float wrap = static_cast<float>(frame.size.x()) - 12.0f;

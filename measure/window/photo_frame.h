@@ -35,7 +35,7 @@ struct PhotoFrame {
 void drawOverlay(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame);
 /// Title, legend and the bar of 50 mm, in the corners of the area: parts that do not fit are left out, the legend also
 /// while a part of the photograph is seen.
-void drawOverlayWords(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame);
+void drawOverlayLabels(ImDrawList& list, const measure::OverlayPanel& panel, const PhotoFrame& frame);
 void drawMark(ImDrawList& list, const Vec2& at, measure::MarkForm form, const measure::OverlayColour& colour,
               float radius);
 

@@ -43,7 +43,7 @@ void drawMarks(ImDrawList& list, const MeasuringView& view, Photo which, const P
   constexpr measure::OverlayColour kShadow{0.0f, 0.0f, 0.0f, 0.8f};
   constexpr measure::OverlayColour kMark{1.0f, 1.0f, 1.0f, 1.0f};
   constexpr measure::OverlayColour kSelected{1.0f, 0.85f, 0.0f, 1.0f};
-  const std::vector<measure::Dot>& marks = view.marksOf(which);
+  const std::vector<measure::Dot>& marks = view.photoMarks(which);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const Vec2 at = frame.toScreen(marks[i].place_px);
     const bool selected = view.selected == ChosenMark{which, i};
@@ -118,7 +118,7 @@ void photoPanel(MeasuringView& view, const PhotoPanel& panel, const Vec2& size) 
   if (panel.overlay != nullptr) drawOverlay(list, *panel.overlay, frame);
   if (view.tool == MeasuringTool::dots && !panel.faded) drawMarks(list, view, panel.photo, frame);
   drawContact(list, view, panel.photo, frame);
-  if (panel.overlay != nullptr) drawOverlayWords(list, *panel.overlay, frame);
+  if (panel.overlay != nullptr) drawOverlayLabels(list, *panel.overlay, frame);
   list.PopClipRect();
 }
 

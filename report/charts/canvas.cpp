@@ -294,7 +294,7 @@ void drawMarker(Canvas& canvas, const Vec2& at, Marker marker, const Colour& col
   }
 }
 
-std::uint32_t pixelOf(const Colour& colour) {
+std::uint32_t toPremultipliedArgb(const Colour& colour) {
   const auto byte = [](double share) { return static_cast<std::uint32_t>(std::lround(255.0 * share)); };
   return byte(colour.alpha) << 24 | byte(colour.red * colour.alpha) << 16 | byte(colour.green * colour.alpha) << 8 |
          byte(colour.blue * colour.alpha);

@@ -84,7 +84,7 @@ class Canvas {
 void drawMarker(Canvas& canvas, const Vec2& at, Marker marker, const Colour& colour, double size_px = 4.0);
 
 /// Premultiplied 0xAARRGGBB.
-std::uint32_t pixelOf(const Colour& colour);
+std::uint32_t toPremultipliedArgb(const Colour& colour);
 
 /// Finishing touches on the SVG that cairo writes, which draws letters as outlines and numbers its elements by a
 /// counter of the process. Adds the drawn texts as the picture's description, so that it can be searched and read

@@ -99,7 +99,7 @@ void drawField(Canvas& canvas, const Field& field, const PlotLayout& layout) {
       const Vec2 place(x.from + (column + 0.5) / columns * (x.to - x.from),
                        y.to - (row + 0.5) / rows * (y.to - y.from));
       const double share = (fieldAt(field, place) - colours.from) / (colours.to - colours.from);
-      pixels.push_back(std::isfinite(share) ? pixelOf(mapColour(field.colours, share)) : 0);
+      pixels.push_back(std::isfinite(share) ? toPremultipliedArgb(mapColour(field.colours, share)) : 0);
     }
   }
   canvas.image(frame, columns, rows, pixels);

@@ -172,7 +172,7 @@ class Scenery {
   std::vector<Piece> pieces_;
 };
 
-std::vector<LegendEntry> legendOf(const MeshView& view) {
+std::vector<LegendEntry> legendEntries(const MeshView& view) {
   std::vector<LegendEntry> entries;
   for (const LegendColour& colour : view.legend) {
     entries.push_back({colour.name, Stroke::none, Marker::none, colour.colour, true, 0.0});
@@ -204,8 +204,8 @@ struct ViewLayout {
   double legend_top = 0.0;
 };
 
-ViewLayout layoutOf(const MeshView& view, const std::vector<LegendEntry>& legend, const Rect& panel,
-                    const Canvas& canvas) {
+ViewLayout computeLayout(const MeshView& view, const std::vector<LegendEntry>& legend, const Rect& panel,
+                         const Canvas& canvas) {
   constexpr double kKeyWidth = 86.0;
   constexpr double kBarWidth = 14.0;
   ViewLayout layout{.room = panel};
@@ -230,8 +230,8 @@ void drawPlaces(Canvas& canvas, const MeshView& view, const Camera& camera, cons
 }  // namespace
 
 void drawMeshView(Canvas& canvas, const MeshView& view, const Rect& panel) {
-  const std::vector<LegendEntry> legend = legendOf(view);
-  const ViewLayout layout = layoutOf(view, legend, panel, canvas);
+  const std::vector<LegendEntry> legend = legendEntries(view);
+  const ViewLayout layout = computeLayout(view, legend, panel, canvas);
   Camera camera(view);
   camera.fit(seenBox(view, camera), layout.room);
   canvas.text({0.5 * (panel.left + panel.right), panel.top}, view.title, kPanelTitle);

@@ -142,7 +142,7 @@ void drawAxes(Canvas& canvas, const Plot& plot, const PlotLayout& layout) {
 }  // namespace
 
 void drawPlot(Canvas& canvas, const Plot& plot, const Rect& panel) {
-  const PlotLayout layout = layoutOf(plot, panel, canvas);
+  const PlotLayout layout = computeLayout(plot, panel, canvas);
   canvas.text({0.5 * (panel.left + panel.right), panel.top}, plot.title, kPanelTitle);
   if (plot.field) drawField(canvas, *plot.field, layout);
   drawGrid(canvas, plot, layout);

@@ -46,7 +46,7 @@ struct FigureLayout {
   std::vector<std::string> note;
 };
 
-FigureLayout layoutOf(const Figure& figure) {
+FigureLayout computeLayout(const Figure& figure) {
   const int panels = static_cast<int>(figure.panels.size());
   const int columns = std::max(1, std::min(figure.columns, panels));
   const int rows = (panels + columns - 1) / columns;
@@ -94,28 +94,28 @@ void save(const std::string& bytes, const std::filesystem::path& file) {
 
 }  // namespace
 
-std::string pngOf(const Figure& figure, double scale) {
-  const FigureLayout layout = layoutOf(figure);
+std::string renderPng(const Figure& figure, double scale) {
+  const FigureLayout layout = computeLayout(figure);
   Canvas canvas = Canvas::png(layout.width, layout.height, scale);
   draw(canvas, figure, layout);
   return canvas.finish();
 }
 
-std::string svgOf(const Figure& figure) {
-  const FigureLayout layout = layoutOf(figure);
+std::string renderSvg(const Figure& figure) {
+  const FigureLayout layout = computeLayout(figure);
   Canvas canvas = Canvas::svg(layout.width, layout.height);
   draw(canvas, figure, layout);
   return canvas.finish();
 }
 
 void writePng(const Figure& figure, const std::filesystem::path& file, double scale) {
-  save(pngOf(figure, scale), file);
+  save(renderPng(figure, scale), file);
 }
 
-void writeSvg(const Figure& figure, const std::filesystem::path& file) { save(svgOf(figure), file); }
+void writeSvg(const Figure& figure, const std::filesystem::path& file) { save(renderSvg(figure), file); }
 
-std::vector<DrawnText> textsOf(const Figure& figure) {
-  const FigureLayout layout = layoutOf(figure);
+std::vector<DrawnText> collectDrawnTexts(const Figure& figure) {
+  const FigureLayout layout = computeLayout(figure);
   Canvas canvas = Canvas::png(layout.width, layout.height, 1.0);
   draw(canvas, figure, layout);
   return canvas.texts();

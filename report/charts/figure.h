@@ -29,8 +29,8 @@ struct Figure {
 inline constexpr double kPngScale = 2.0;
 
 /// The file's bytes. Equal figures give equal bytes on the same machine (fonts are the system's).
-std::string pngOf(const Figure& figure, double scale = kPngScale);
-std::string svgOf(const Figure& figure);
+std::string renderPng(const Figure& figure, double scale = kPngScale);
+std::string renderSvg(const Figure& figure);
 
 /// Throw Error naming the file when it cannot be written.
 void writePng(const Figure& figure, const std::filesystem::path& file, double scale = kPngScale);
@@ -46,6 +46,6 @@ struct DrawnText {
 };
 
 /// Every text of the drawing, in the order of painting: lets a test check that none covers another.
-std::vector<DrawnText> textsOf(const Figure& figure);
+std::vector<DrawnText> collectDrawnTexts(const Figure& figure);
 
 }  // namespace palpate::figures

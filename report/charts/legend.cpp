@@ -14,7 +14,7 @@ namespace {
 constexpr double kSampleWidth = 26.0;
 constexpr double kBetween = 18.0;
 
-double widthOf(const Canvas& canvas, const LegendEntry& entry) {
+double entryWidth(const Canvas& canvas, const LegendEntry& entry) {
   return kSampleWidth + kGap + canvas.textBox({0.0, 0.0}, entry.name, {}).width();
 }
 
@@ -26,7 +26,7 @@ struct Row {
 std::vector<Row> rowsOf(const Canvas& canvas, const std::vector<LegendEntry>& entries, double width) {
   std::vector<Row> rows;
   for (const LegendEntry& entry : entries) {
-    const double needed = widthOf(canvas, entry);
+    const double needed = entryWidth(canvas, entry);
     if (rows.empty() || rows.back().width + kBetween + needed > width) rows.emplace_back();
     Row& row = rows.back();
     row.width += needed + (row.entries.empty() ? 0.0 : kBetween);
@@ -51,7 +51,7 @@ Colour colourOf(const Plot& plot, std::size_t series) {
   return plot.series[series].colour.value_or(seriesColour(series));
 }
 
-std::vector<LegendEntry> legendOf(const Plot& plot) {
+std::vector<LegendEntry> legendEntries(const Plot& plot) {
   std::vector<LegendEntry> entries;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& series = plot.series[i];
@@ -78,7 +78,7 @@ void drawLegend(Canvas& canvas, const std::vector<LegendEntry>& entries, const R
     for (const LegendEntry* entry : row.entries) {
       drawSample(canvas, *entry, {left, middle});
       canvas.text({left + kSampleWidth + kGap, middle}, entry->name, {});
-      left += widthOf(canvas, *entry) + kBetween;
+      left += entryWidth(canvas, *entry) + kBetween;
     }
     middle += kLineHeight;
   }
@@ -89,7 +89,7 @@ void drawColourBar(Canvas& canvas, const Rect& bar, ColourMap colours, const Ran
   constexpr int kSteps = 256;
   std::vector<std::uint32_t> pixels;
   pixels.reserve(kSteps);
-  for (int i = 0; i < kSteps; ++i) pixels.push_back(pixelOf(mapColour(colours, 1.0 - (i + 0.5) / kSteps)));
+  for (int i = 0; i < kSteps; ++i) pixels.push_back(toPremultipliedArgb(mapColour(colours, 1.0 - (i + 0.5) / kSteps)));
   canvas.image(bar, 1, kSteps, pixels);
   canvas.rectangle(bar, Pen{kInk, 0.8}, std::nullopt);
   const AxisMapping place{range, Scale::linear, bar.bottom, bar.top};

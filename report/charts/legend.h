@@ -20,7 +20,7 @@ struct LegendEntry {
 };
 
 /// The entries of a plot: its series and shapes that have a name.
-std::vector<LegendEntry> legendOf(const Plot& plot);
+std::vector<LegendEntry> legendEntries(const Plot& plot);
 /// The colour a series is drawn in.
 Colour colourOf(const Plot& plot, std::size_t series);
 

@@ -39,7 +39,7 @@ class Extent {
 };
 
 // Everything that has a place along one axis (0: x, 1: y).
-Extent extentOf(const Plot& plot, int axis, Scale scale) {
+Extent axisExtent(const Plot& plot, int axis, Scale scale) {
   Extent extent(scale);
   for (const Series& series : plot.series) {
     for (const double value : axis == 0 ? series.x : series.y) extent.add(value);
@@ -68,12 +68,12 @@ Range shownRange(const Plot& plot, int axis, int most_ticks) {
   if (plot.field) {  // a map fills its frame to the last value
     range = fieldExtent(*plot.field, axis);
   } else {
-    range = niceRange(extentOf(plot, axis, settings.scale).range(), settings.scale, most_ticks);
+    range = niceRange(axisExtent(plot, axis, settings.scale).range(), settings.scale, most_ticks);
   }
   return {settings.from.value_or(range.from), settings.to.value_or(range.to)};
 }
 
-std::vector<Tick> ticksOf(const Axis& axis, const Range& range, int most) {
+std::vector<Tick> chooseTicks(const Axis& axis, const Range& range, int most) {
   if (axis.hidden) return {};
   if (!axis.ticks.empty()) return axis.ticks;
   return niceTicks(range, axis.scale, most);
@@ -136,8 +136,8 @@ void layoutTicks(const Plot& plot, PlotLayout& layout, const Rect& room) {
   const int most_y = most(room.height() * 0.75, kTickPitchY);
   layout.x = {shownRange(plot, 0, most_x), plot.x.scale};
   layout.y = {shownRange(plot, 1, most_y), plot.y.scale};
-  layout.x_ticks = ticksOf(plot.x, layout.x.range, most_x);
-  layout.y_ticks = ticksOf(plot.y, layout.y.range, most_y);
+  layout.x_ticks = chooseTicks(plot.x, layout.x.range, most_x);
+  layout.y_ticks = chooseTicks(plot.y, layout.y.range, most_y);
   if (!plot.field) return;
   layout.field_range = colourRange(*plot.field);
   layout.colour_ticks = niceTicks(layout.field_range, Scale::linear, most_y);
@@ -156,9 +156,9 @@ double AxisMapping::operator()(double value) const {
   return from_px + share * (to_px - from_px);
 }
 
-PlotLayout layoutOf(const Plot& plot, const Rect& panel, const Canvas& canvas) {
+PlotLayout computeLayout(const Plot& plot, const Rect& panel, const Canvas& canvas) {
   PlotLayout layout{.panel = panel};
-  if (plot.legend) layout.legend = legendOf(plot);
+  if (plot.legend) layout.legend = legendEntries(plot);
   const double legend_height = kLineHeight * legendRows(canvas, layout.legend, panel.width());
   Rect room = panel;
   if (!plot.title.empty()) room.top += kTitleSize + 2.0 * kGap;

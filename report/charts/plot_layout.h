@@ -40,6 +40,6 @@ struct PlotLayout {
   Vec2 operator()(const Vec2& place) const { return {x(place.x()), y(place.y())}; }
 };
 
-PlotLayout layoutOf(const Plot& plot, const Rect& panel, const Canvas& canvas);
+PlotLayout computeLayout(const Plot& plot, const Rect& panel, const Canvas& canvas);
 
 }  // namespace palpate::figures

@@ -42,14 +42,14 @@ struct MapArguments {
   bool json = false;
 };
 
-MapSkin skinOf(const MapArguments& arguments) {
+MapSkin makeMapSkin(const MapArguments& arguments) {
   if (!arguments.mesh.file.empty()) return skinOfFile(arguments.mesh);
   if (arguments.body == "back") return builtInBack(arguments.triangles > 0 ? arguments.triangles : 15815);
   return builtInTorso(arguments.triangles > 0 ? arguments.triangles : 20389);
 }
 
 /// The options' values as settings. CLI11 has checked them.
-MapSource sourceOf(const MapArguments& arguments) {
+MapSource makeMapSource(const MapArguments& arguments) {
   MapSource source = arguments.source;
   source.fidelity = scene::parseFidelity(arguments.fidelity);
   if (const auto stiffness = choiceNamed<maps::StiffnessInterpolation>(arguments.interpolation)) {
@@ -95,7 +95,7 @@ struct Maker {
   SkinMap (*of_scene)(const MapSkin&, const scene::World&, const MapSource&);
 };
 
-std::shared_ptr<const scene::World> worldOf(const std::string& file) {
+std::shared_ptr<const scene::World> loadWorld(const std::string& file) {
   ProgressLine progress;
   return scene::build(scene::load(file), progress.callback());
 }
@@ -105,9 +105,9 @@ void run(const MapArguments& arguments, const Maker& make) {
   if (!arguments.range.empty() && !(arguments.range[0] < arguments.range[1])) {
     throw Error("map: --range needs two rising numbers");
   }
-  const MapSource source = sourceOf(arguments);
-  const auto world = arguments.scene.empty() ? nullptr : worldOf(arguments.scene);
-  const MapSkin skin = world ? skinOfScene(*world) : skinOf(arguments);
+  const MapSource source = makeMapSource(arguments);
+  const auto world = arguments.scene.empty() ? nullptr : loadWorld(arguments.scene);
+  const MapSkin skin = world ? skinOfScene(*world) : makeMapSkin(arguments);
   SkinMap map = world ? make.of_scene(skin, *world, source) : make.over_skin(skin, source);
   if (!arguments.range.empty()) map.shown.range = {arguments.range[0], arguments.range[1]};
   for (const std::string& file : arguments.files) writeMap(file, skin, map, arguments.output);
@@ -134,7 +134,7 @@ void addFileOptions(Command& command, MapArguments& a) {
 void addSkinOptions(Command& command, MapArguments& a) {
   addMeshArguments(command, a.mesh);
   command.get_option("mesh")->required(false);
-  takesOneOf({"torso", "back"},
+  restrictTo({"torso", "back"},
              command.add_option("--body", a.body, "Without a mesh: the built-in skin")->capture_default_str());
   addSetting(command, "--triangles", a.triangles, between(0, 2e7),
              "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)");
@@ -177,13 +177,13 @@ void addEllipses(Command& parent) {
   addSkinOptions(command, a);
   addKeyOption(command, a);
   addBoundaryOptions(command, a);
-  takesOneOf({"half-major", "aspect", "direction"},
+  restrictTo({"half-major", "aspect", "direction"},
              command.add_option("--quantity", a.source.quantity, "What is coloured")->capture_default_str());
-  takesOneOf(choiceNames<Weights>(),
+  restrictTo(choiceNames<Weights>(),
              command.add_option("--interpolation", a.interpolation,
                                 "gri, or a form of the dissertation: (5.16) with E26, (5.16) as printed, (5.7); left "
                                 "out: as --fidelity says"));
-  takesOneOf(
+  restrictTo(
       choiceNames<maps::DirectionBlend>(),
       command.add_option("--directions", a.directions, "How directions are blended (default: as --fidelity says)"));
   command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
@@ -220,7 +220,7 @@ void addStiffness(Command& parent) {
   addFileOptions(command, arguments);
   addSkinOptions(command, arguments);
   addKeyOption(command, arguments);
-  takesOneOf(choiceNames<maps::StiffnessInterpolation>(),
+  restrictTo(choiceNames<maps::StiffnessInterpolation>(),
              command.add_option("--interpolation", arguments.interpolation,
                                 "Between key points: gri (default), thin-plate or polynomial. Without --keys: the "
                                 "torso measured at the seven places"));

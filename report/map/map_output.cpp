@@ -67,7 +67,7 @@ std::string csvOfGrid(const MapSkin& skin, const SkinMap& map, double step_mm) {
   return text;
 }
 
-double shareOf(double value, const std::pair<double, double>& range) {
+double rangeFraction(double value, const std::pair<double, double>& range) {
   return range.second > range.first ? (value - range.first) / (range.second - range.first) : 0.5;
 }
 
@@ -78,7 +78,7 @@ void writePly(const std::filesystem::path& file, const MapSkin& skin, const Skin
     channels.scalars.push_back({column.name, {column.values.begin(), column.values.end()}});
   }
   for (const double value : columnOf(map, map.shown.column)) {
-    channels.colours.push_back(bytesOf(colourOf(map.shown.colours, shareOf(value, range))));
+    channels.colours.push_back(bytesOf(colourOf(map.shown.colours, rangeFraction(value, range))));
   }
   mesh::save(file, skin.mesh, channels);
 }
@@ -94,7 +94,7 @@ std::vector<double> contourLevels(const std::pair<double, double>& range) {
   return levels;
 }
 
-figures::Field fieldOf(const MapSkin& skin, const SkinMap& map) {
+figures::Field makeMapField(const MapSkin& skin, const SkinMap& map) {
   const double longer_mm = mesh::boundingBox(skin.mesh).sizes().head<2>().maxCoeff();
   const SkinGrid grid = gridOver(skin.mesh, longer_mm / (map.shown.directions ? kDirectionNodes : kPictureNodes));
   const auto named = std::find(map.plane_columns.begin(), map.plane_columns.end(), map.shown.column);
@@ -119,7 +119,7 @@ figures::Field fieldOf(const MapSkin& skin, const SkinMap& map) {
 }
 
 /// Short strokes along the directions.
-figures::Shape strokesOf(const figures::Field& field) {
+figures::Shape directionStrokes(const figures::Field& field) {
   const int every = std::max(1, static_cast<int>(kStrokeStepMm / field.step.x()));
   const double half_mm = 0.35 * kStrokeStepMm;
   figures::Shape strokes;
@@ -138,7 +138,7 @@ figures::Shape strokesOf(const figures::Field& field) {
   return strokes;
 }
 
-figures::Shape outlinesOf(const std::vector<MapKey>& keys) {
+figures::Shape keyPointOutlines(const std::vector<MapKey>& keys) {
   figures::Shape outlines;
   outlines.name = "key points' boundaries, a fifth of their size";
   for (const MapKey& key : keys) {
@@ -160,16 +160,16 @@ void addDysfunctions(const std::vector<MapKey>& dysfunctions, figures::Plot& plo
   plot.shapes.push_back(std::move(rings));
 }
 
-figures::Figure figureOf(const MapSkin& skin, const SkinMap& map) {
+figures::Figure mapFigure(const MapSkin& skin, const SkinMap& map) {
   figures::Plot plot;
   plot.title = map.title;
   plot.equal_aspect = true;
   plot.x.label = "x, to the patient's right";
   plot.y.label = "y, towards the head";
   plot.x.unit = plot.y.unit = "mm";
-  plot.field = fieldOf(skin, map);
-  if (map.shown.directions) plot.shapes.push_back(strokesOf(*plot.field));
-  figures::Shape outlines = outlinesOf(map.keys);
+  plot.field = makeMapField(skin, map);
+  if (map.shown.directions) plot.shapes.push_back(directionStrokes(*plot.field));
+  figures::Shape outlines = keyPointOutlines(map.keys);
   if (!outlines.paths.empty()) plot.shapes.push_back(std::move(outlines));
   for (const MapKey& key : map.keys) plot.places.push_back({.at = key.at, .text = key.name});
   addDysfunctions(map.dysfunctions, plot);
@@ -211,9 +211,9 @@ void writeMap(const std::filesystem::path& file, const MapSkin& skin, const Skin
   } else if (extension == ".ply") {
     writePly(file, skin, map);
   } else if (extension == ".png") {
-    figures::writePng(figureOf(skin, map), file, output.png_scale);
+    figures::writePng(mapFigure(skin, map), file, output.png_scale);
   } else {
-    figures::writeSvg(figureOf(skin, map), file);
+    figures::writeSvg(mapFigure(skin, map), file);
   }
 }
 

@@ -15,7 +15,7 @@ namespace palpate::app {
 
 namespace {
 
-std::vector<maps::KeyPoint> keyPointsOf(const MapSource& source) {
+std::vector<maps::KeyPoint> loadKeyPoints(const MapSource& source) {
   if (!source.key_file.empty()) return maps::readKeyPoints(source.key_file);
   maps::MeasuredDataChoice measured = source.measured;
   if (source.fidelity.literal(Erratum::E30_key_averages)) measured.averaging = maps::Averaging::plain;
@@ -29,10 +29,10 @@ maps::LiteralForms formsOf(const MapSource& source) {
   return forms;
 }
 
-Json jsonOf(const maps::FitError& error) { return {{"rms", error.rms}, {"max", error.max}}; }
+Json toJson(const maps::FitError& error) { return {{"rms", error.rms}, {"max", error.max}}; }
 
 /// Root of the mean square and largest of differences.
-maps::FitError errorOf(const std::vector<double>& differences) {
+maps::FitError computeFitError(const std::vector<double>& differences) {
   maps::FitError error;
   for (const double d : differences) {
     error.rms += d * d;
@@ -86,12 +86,12 @@ Json errorsAtKeys(const maps::AnyEllipseMap& map) {
     aspect.push_back(e.aspect - key.ellipse.aspect);
     direction.push_back(axesApartDeg(e.direction_rad, key.ellipse.direction_rad));
   }
-  return {{"half_major_mm", jsonOf(errorOf(half_major))},
-          {"aspect", jsonOf(errorOf(aspect))},
-          {"direction_deg", jsonOf(errorOf(direction))}};
+  return {{"half_major_mm", toJson(computeFitError(half_major))},
+          {"aspect", toJson(computeFitError(aspect))},
+          {"direction_deg", toJson(computeFitError(direction))}};
 }
 
-Json jsonOf(std::span<const maps::KeyPoint> keys) {
+Json toJson(std::span<const maps::KeyPoint> keys) {
   Json list = Json::array();
   for (const maps::KeyPoint& key : keys) {
     Json one{{"name", key.name}, {"x_mm", key.position_mm.x()}, {"y_mm", key.position_mm.y()}};
@@ -110,7 +110,7 @@ Json jsonOf(std::span<const maps::KeyPoint> keys) {
 
 std::vector<maps::ContourPoint> contourPointsOf(const MapSource& source) {
   if (!source.key_file.empty()) return maps::readContourPoints(source.key_file);
-  return maps::contourPointsOf(keyPointsOf(source), source.contour_radii);
+  return maps::contourPointsOf(loadKeyPoints(source), source.contour_radii);
 }
 
 /// The geometric mean of the radii, then the radii.
@@ -142,7 +142,7 @@ maps::FitError radiusErrorAtKeys(const std::vector<maps::ContourPoint>& points, 
       differences.push_back(std::exp(here.log_radii[i]) - std::exp(point.contour.log_radii[i]));
     }
   }
-  return errorOf(differences);
+  return computeFitError(differences);
 }
 
 // ---- stiffness
@@ -176,8 +176,8 @@ SkinMap emptyStiffnessMap() {
 SkinMap stiffnessFromKeys(const MapSkin& skin, const std::vector<maps::KeyPoint>& keys, const MapSource& source) {
   SkinMap map = emptyStiffnessMap();
   maps::StiffnessOfPositions stiffness = maps::measuredStiffness(skin.mesh.positions, keys, source.stiffness);
-  map.summary["keys"] = jsonOf(keys);
-  map.summary["fit_error_n_per_mm"] = jsonOf(stiffness.error);
+  map.summary["keys"] = toJson(keys);
+  map.summary["fit_error_n_per_mm"] = toJson(stiffness.error);
   map.summary["limited_vertices"] = stiffness.limited;
   map.vertices = {{"stiffness_n_per_mm", std::move(stiffness.n_per_mm)}};
   map.plane_columns = {"stiffness_n_per_mm"};
@@ -204,7 +204,7 @@ std::vector<MapKey> drawnKeys(std::span<const maps::KeyPoint> keys) {
 }
 
 SkinMap ellipsesOver(const MapSkin& skin, const MapSource& source) {
-  const maps::AnyEllipseMap ellipses(keyPointsOf(source), source.ellipses, formsOf(source));
+  const maps::AnyEllipseMap ellipses(loadKeyPoints(source), source.ellipses, formsOf(source));
   return ellipsesOver(skin, ellipses, source.ellipses, source.quantity);
 }
 
@@ -220,7 +220,7 @@ SkinMap ellipsesOver(const MapSkin& skin, const maps::AnyEllipseMap& of_keys, co
   map.summary = {{"map", "ellipses"},
                  {"effect_radius_mm", settings.effect_radius_mm},
                  {"basic_radius_mm", settings.basic_radius_mm},
-                 {"keys", jsonOf(ellipses->keys())},
+                 {"keys", toJson(ellipses->keys())},
                  {"fit_error", errorsAtKeys(*ellipses)}};
 
   for (const std::string& name : map.plane_columns) map.vertices.push_back({name, {}});
@@ -255,7 +255,7 @@ SkinMap contoursOver(const MapSkin& skin, const MapSource& source) {
                  {"effect_radius_mm", source.ellipses.effect_radius_mm},
                  {"basic_radius_mm", source.ellipses.basic_radius_mm},
                  {"key_points", points.size()},
-                 {"fit_error", {{"radius_mm", jsonOf(radiusErrorAtKeys(points, *contours))}}}};
+                 {"fit_error", {{"radius_mm", toJson(radiusErrorAtKeys(points, *contours))}}}};
   return map;
 }
 

@@ -35,7 +35,7 @@ std::string numberText(const FindingsPart& part, const FindingValues& value) {
 }
 
 /// That chooses a text.
-std::string wordOf(const FindingValues& value) {
+std::string choiceWord(const FindingValues& value) {
   if (value.is_string()) return value.get<std::string>();
   const bool yes = value.is_boolean()  ? value.get<bool>()
                    : value.is_number() ? value.get<double>() != 0.0
@@ -105,7 +105,7 @@ class FindingsFiller {
   }
 
   const Parts& chosen(const FindingsPart& part, const FindingValues& value) const {
-    const std::string word = wordOf(value);
+    const std::string word = choiceWord(value);
     const auto found = std::find(part.words.begin(), part.words.end(), word);
     if (found == part.words.end()) fail(part.line, fmt::format("`{}` has no choice `{}`", part.name, word));
     return part.texts[static_cast<std::size_t>(found - part.words.begin())];
@@ -132,7 +132,7 @@ class FindingsFiller {
 
 }  // namespace
 
-std::vector<std::string> findingsOf(const FindingsFile& file, const FindingValues& values) {
+std::vector<std::string> formatFindings(const FindingsFile& file, const FindingValues& values) {
   return FindingsFiller(file).all(values);
 }
 

@@ -39,7 +39,7 @@ struct FindingsFile {
 /// such objects for several findings, null for none. Paragraphs without values, which are always printed, and those
 /// that only `as` names have no member. Throws Error naming file and line for text that cannot be parsed, for names
 /// that are not those of the values, and for words that a choice does not have.
-std::vector<std::string> findingsOf(const FindingsFile& file, const FindingValues& values);
+std::vector<std::string> formatFindings(const FindingsFile& file, const FindingValues& values);
 
 // The contents of a file, for tests that go through all of it.
 

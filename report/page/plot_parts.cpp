@@ -92,7 +92,7 @@ std::vector<figures::Tick> fractionTicksAt(const std::vector<double>& shares) {
   return ticks;
 }
 
-std::string csvOf(const figures::Figure& figure) {
+std::string toCsv(const figures::Figure& figure) {
   std::string csv;
   int panel = 0;
   for (const figures::Panel& content : figure.panels) {

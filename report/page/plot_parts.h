@@ -51,6 +51,6 @@ std::vector<double> column(const std::vector<Row>& rows, Value Row::*value) {
 }
 
 /// The data of every curve and field: columns panel,series,x,y,value.
-std::string csvOf(const figures::Figure& figure);
+std::string toCsv(const figures::Figure& figure);
 
 }  // namespace palpate::study

@@ -90,7 +90,7 @@ constexpr std::uintmax_t kLargePicture = 250'000;
 constexpr double kScaleOfLargePictures = 1.2;  // pixels for 1/96 inch
 constexpr std::size_t kMaxPictureBytes = std::size_t{64} << 20;
 
-std::string_view escapeOf(char letter) {
+std::string_view htmlEntity(char letter) {
   switch (letter) {
     case '&':
       return "&amp;";
@@ -108,7 +108,7 @@ std::string_view escapeOf(char letter) {
 std::string escaped(std::string_view text) {
   std::string html;
   for (const char letter : text) {
-    const std::string_view entity = escapeOf(letter);
+    const std::string_view entity = htmlEntity(letter);
     if (entity.empty()) {
       html += letter;
     } else {
@@ -150,7 +150,7 @@ std::string pictureUri(const StudyFigure& figure, const fs::path& folder) {
   const auto svg_bytes = fs::file_size(svg);
   const auto png_bytes = fs::file_size(png);
   if (std::min(svg_bytes, png_bytes) > kLargePicture) {
-    return dataUri("png", figures::pngOf(figure.figure, kScaleOfLargePictures));
+    return dataUri("png", figures::renderPng(figure.figure, kScaleOfLargePictures));
   }
   return svg_bytes <= png_bytes ? dataUri("svg+xml", readFile(svg, kMaxPictureBytes))
                                 : dataUri("png", readFile(png, kMaxPictureBytes));

@@ -42,13 +42,13 @@ std::string paragraphs(const std::vector<std::string>& texts, std::string_view b
 }
 
 std::string figureMarkdown(const StudyFigure& figure) {
-  const std::string data = csvOf(figure.figure).empty() ? "" : fmt::format(", [CSV]({}.csv)", figure.stem);
+  const std::string data = toCsv(figure.figure).empty() ? "" : fmt::format(", [CSV]({}.csv)", figure.stem);
   return fmt::format("![{0}]({1}.png)\n\n*{0}* [SVG]({1}.svg){2}\n\n", figure.caption, figure.stem, data);
 }
 
 std::string tableMarkdown(const StudyTable& table) {
   const std::string heading = fmt::format("{} [CSV]({}.csv)\n\n", table.title, table.stem);
-  return table.shown ? heading + markdownOf(table.table) + "\n" : heading;
+  return table.shown ? heading + toMarkdown(table.table) + "\n" : heading;
 }
 
 std::string endMarkdown(const StudyPage& page) {
@@ -60,7 +60,7 @@ std::string endMarkdown(const StudyPage& page) {
 
 }  // namespace
 
-std::string markdownOf(const StudyPage& page) {
+std::string toMarkdown(const StudyPage& page) {
   std::string markdown = fmt::format("# {}\n\n{}\n\n## Findings\n\n", page.title, page.question);
   markdown += paragraphs(page.findings, "- ");
   for (const StudyFigure& figure : page.figures) markdown += figureMarkdown(figure);
@@ -99,7 +99,7 @@ Json& memberAt(Json& json, std::string_view path) {
 
 }  // namespace
 
-std::string jsonOf(const StudyPage& page) {
+std::string toJson(const StudyPage& page) {
   Json json;
   json["study"] = page.name;
   json["title"] = page.title;
@@ -136,11 +136,11 @@ void writePage(const StudyPage& page, const std::filesystem::path& folder, const
     report(progress, "drawing " + figure.stem, 0.0);
     figures::writePng(figure.figure, folder / (figure.stem + ".png"));
     figures::writeSvg(figure.figure, folder / (figure.stem + ".svg"));
-    const std::string data = csvOf(figure.figure);  // a single surface has none
+    const std::string data = toCsv(figure.figure);  // a single surface has none
     if (!data.empty()) writeFile(folder / (figure.stem + ".csv"), data);
   }
-  for (const StudyTable& table : page.tables) writeFile(folder / (table.stem + ".csv"), csvOf(table.table));
-  writeFile(folder / (page.name + ".md"), markdownOf(page));
+  for (const StudyTable& table : page.tables) writeFile(folder / (table.stem + ".csv"), toCsv(table.table));
+  writeFile(folder / (page.name + ".md"), toMarkdown(page));
 }
 
 std::string counted(double number) {

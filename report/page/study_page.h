@@ -33,9 +33,9 @@ struct TextTable {
 
 /// Columns padded to equal width, the last one ragged.
 std::string plainText(const TextTable& table);
-std::string markdownOf(const TextTable& table);
+std::string toMarkdown(const TextTable& table);
 /// Every cell in quotes.
-std::string csvOf(const TextTable& table);
+std::string toCsv(const TextTable& table);
 
 struct StudySettings {
   bool quick = false;  ///< smaller models, fewer repetitions: below 3 s, for tests; its times mean little
@@ -81,10 +81,10 @@ struct StudyPage {
 };
 
 /// Findings, figures (as PNG in the same folder), tables, method, command and machine.
-std::string markdownOf(const StudyPage& page);
+std::string toMarkdown(const StudyPage& page);
 
 /// study, title, findings, numbers, figures and tables (names of files), command, machine, seconds. One JSON object.
-std::string jsonOf(const StudyPage& page);
+std::string toJson(const StudyPage& page);
 
 /// The findings as people read them on a terminal, wrapped.
 std::string textOf(const StudyPage& page);

@@ -10,7 +10,7 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-std::vector<std::size_t> widthsOf(const TextTable& table) {
+std::vector<std::size_t> columnWidths(const TextTable& table) {
   std::vector<std::size_t> widths;
   for (const std::string& heading : table.headings) widths.push_back(heading.size());
   for (const Cells& row : table.rows) {
@@ -48,19 +48,19 @@ std::string csvRow(const Cells& cells) {
 }  // namespace
 
 std::string plainText(const TextTable& table) {
-  const auto widths = widthsOf(table);
+  const auto widths = columnWidths(table);
   std::string text = aligned(table.headings, widths);
   for (const Cells& row : table.rows) text += aligned(row, widths);
   return text;
 }
 
-std::string markdownOf(const TextTable& table) {
+std::string toMarkdown(const TextTable& table) {
   std::string text = markdownRow(table.headings) + markdownRow(Cells(table.headings.size(), "---"));
   for (const Cells& row : table.rows) text += markdownRow(row);
   return text;
 }
 
-std::string csvOf(const TextTable& table) {
+std::string toCsv(const TextTable& table) {
   std::string text = csvRow(table.headings);
   for (const Cells& row : table.rows) text += csvRow(row);
   return text;

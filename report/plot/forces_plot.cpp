@@ -20,7 +20,7 @@ struct Quantity {
   std::string_view unit;
 };
 
-Quantity quantityOf(Felt felt) {
+Quantity feltQuantity(Felt felt) {
   switch (felt) {
     case Felt::force:
       return {"force", "N"};
@@ -41,7 +41,7 @@ struct Span {
   double to_s = 1.0;
 };
 
-Span spanOf(std::span<const RunStrip> strips) {
+Span findTimeSpan(std::span<const RunStrip> strips) {
   Span span{strips.front().steps().front().from_s, strips.front().steps().back().to_s};
   for (const RunStrip& strip : strips) {
     span.from_s = std::min(span.from_s, strip.steps().front().from_s);
@@ -52,7 +52,7 @@ Span spanOf(std::span<const RunStrip> strips) {
 }
 
 /// Down and up within each step, so that the line fills the range between.
-figures::Series curveOf(const RunStrip& strip, Felt felt, const figures::Colour& colour) {
+figures::Series makeSeries(const RunStrip& strip, Felt felt, const figures::Colour& colour) {
   const auto i = static_cast<std::size_t>(felt);
   figures::Series curve{.name = {}, .colour = colour, .width_px = 1.3};
   for (const StripStep& step : strip.steps()) {
@@ -76,7 +76,7 @@ struct State {
 };
 
 template <class Holds>
-State stateOf(const RunStrip& strip, std::string_view name, const figures::Colour& colour, const Holds& holds) {
+State makeState(const RunStrip& strip, std::string_view name, const figures::Colour& colour, const Holds& holds) {
   State state{fmt::format("{} {}", strip.finger(), name), colour, {}};
   bool before = false;
   for (const StripStep& step : strip.steps()) {
@@ -92,19 +92,19 @@ void addBits(const RunStrip& strip, std::span<const StatusName> names, std::uint
              std::vector<State>& states) {
   for (const StatusName& name : names) {
     State state =
-        stateOf(strip, name.name, figures::kInk, [&](const StripStep& step) { return (step.*bits & name.bit) != 0; });
+        makeState(strip, name.name, figures::kInk, [&](const StripStep& step) { return (step.*bits & name.bit) != 0; });
     if (!state.bars.empty()) states.push_back(std::move(state));
   }
 }
 
 /// Sticking and slipping of every finger, and of the status bits those that were set.
-std::vector<State> statesOf(std::span<const RunStrip> strips) {
+std::vector<State> collectStates(std::span<const RunStrip> strips) {
   std::vector<State> states;
   for (std::size_t f = 0; f < strips.size(); ++f) {
     const figures::Colour colour = figures::seriesColour(f);
     const figures::Colour pale = figures::mixed(colour, figures::kPaper, 0.55);
-    states.push_back(stateOf(strips[f], "sticks", pale, [](const StripStep& step) { return step.sticks; }));
-    states.push_back(stateOf(strips[f], "slips", colour, [](const StripStep& step) { return step.slips; }));
+    states.push_back(makeState(strips[f], "sticks", pale, [](const StripStep& step) { return step.sticks; }));
+    states.push_back(makeState(strips[f], "slips", colour, [](const StripStep& step) { return step.slips; }));
     addBits(strips[f], contactStatusNames(), &StripStep::contact_status, states);
     addBits(strips[f], safetyStatusNames(), &StripStep::safety_status, states);
   }
@@ -130,7 +130,7 @@ Plot statePlot(const std::vector<State>& states, const Span& span) {
   return plot;
 }
 
-std::string noteOf(std::span<const RunStrip> strips) {
+std::string makeFigureNote(std::span<const RunStrip> strips) {
   std::size_t ticks = 1;
   for (const RunStrip& strip : strips) ticks = std::max(ticks, strip.ticksAStep());
   std::string note = "lag: from the tip to the place of the skin that friction holds.";
@@ -169,15 +169,15 @@ std::span<const StatusName> safetyStatusNames() {
 }
 
 figures::Figure forcesFigure(const ForcesPlot& plot, std::span<const RunStrip> strips) {
-  const Span span = spanOf(strips);
-  const std::vector<State> states = plot.states ? statesOf(strips) : std::vector<State>();
+  const Span span = findTimeSpan(strips);
+  const std::vector<State> states = plot.states ? collectStates(strips) : std::vector<State>();
   std::vector<Plot> panels;
   for (const Felt felt : plot.felts) {
-    const Quantity quantity = quantityOf(felt);
+    const Quantity quantity = feltQuantity(felt);
     Plot& panel = panels.emplace_back();
     panel.y = {.label = std::string(quantity.label), .unit = std::string(quantity.unit)};
     for (std::size_t f = 0; f < strips.size(); ++f) {
-      panel.series.push_back(curveOf(strips[f], felt, figures::seriesColour(f)));
+      panel.series.push_back(makeSeries(strips[f], felt, figures::seriesColour(f)));
       if (panels.size() == 1) panel.series.back().name = strips[f].finger();
     }
   }
@@ -185,7 +185,7 @@ figures::Figure forcesFigure(const ForcesPlot& plot, std::span<const RunStrip> s
 
   figures::Figure figure;
   figure.title = plot.title;
-  figure.note = noteOf(strips);
+  figure.note = makeFigureNote(strips);
   figure.panel_width_px = 900.0;
   constexpr double kRowPx = 17.0;
   figure.panel_height_px = std::max(180.0, 60.0 + kRowPx * static_cast<double>(states.size()));

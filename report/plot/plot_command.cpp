@@ -34,12 +34,12 @@ struct PlotArguments {
   double png_scale = 1.5;
 };
 
-RunStrip* stripOf(std::vector<RunStrip>& strips, std::string_view finger) {
+RunStrip* findStrip(std::vector<RunStrip>& strips, std::string_view finger) {
   const auto found = std::ranges::find(strips, finger, &RunStrip::finger);
   return found == strips.end() ? nullptr : &*found;
 }
 
-std::string namesOf(const std::vector<RunStrip>& strips) {
+std::string joinFingerNames(const std::vector<RunStrip>& strips) {
   std::string names;
   for (const RunStrip& strip : strips) names += (names.empty() ? "" : ", ") + strip.finger();
   return names;
@@ -49,7 +49,7 @@ std::string namesOf(const std::vector<RunStrip>& strips) {
 /// between the two times.
 std::vector<RunStrip> chosen(const PlotArguments& arguments, std::vector<RunStrip> strips, const std::string& known) {
   for (const std::string& finger : arguments.fingers) {
-    if (stripOf(strips, finger) != nullptr) continue;
+    if (findStrip(strips, finger) != nullptr) continue;
     throw Error::inFile(arguments.table.string(), fmt::format("has no finger \"{}\"; it has {}", finger, known));
   }
   std::erase_if(strips, [&](const RunStrip& strip) {
@@ -66,18 +66,18 @@ std::vector<RunStrip> stripsFrom(const PlotArguments& arguments) {
   trace::forEachForcesRow(arguments.table, [&](const trace::ForcesRow& row) {
     first_s = std::min(first_s, row.time_s);
     last_s = std::max(last_s, row.time_s);
-    RunStrip* strip = stripOf(strips, row.finger);
+    RunStrip* strip = findStrip(strips, row.finger);
     if (strip == nullptr) strip = &strips.emplace_back(std::string(row.finger));
     if (row.time_s >= arguments.from_s && row.time_s <= arguments.to_s) strip->add(feltIn(row));
   });
-  const std::string known = namesOf(strips);
+  const std::string known = joinFingerNames(strips);
   strips = chosen(arguments, std::move(strips), known);
   if (!strips.empty()) return strips;
   throw Error::inFile(arguments.table.string(),
                       fmt::format("no row lies between --from and --to: it reaches from {} to {} s", first_s, last_s));
 }
 
-ForcesPlot plotOf(const PlotArguments& arguments) {
+ForcesPlot makeForcesPlot(const PlotArguments& arguments) {
   ForcesPlot plot{.title = arguments.title.empty() ? arguments.table.filename().string() : arguments.title,
                   .felts = {},
                   .states = false};
@@ -95,14 +95,14 @@ void runPlot(const PlotArguments& arguments) {
   checkPictureName(arguments.output);
   if (!(arguments.from_s < arguments.to_s)) throw Error("plot: --from must be below --to");
   const std::vector<RunStrip> strips = stripsFrom(arguments);
-  const figures::Figure figure = forcesFigure(plotOf(arguments), strips);
+  const figures::Figure figure = forcesFigure(makeForcesPlot(arguments), strips);
   writePicture(figure, arguments.output, arguments.png_scale);
-  fmt::print("{}: {} -> {}\n", arguments.table.string(), namesOf(strips), arguments.output.string());
+  fmt::print("{}: {} -> {}\n", arguments.table.string(), joinFingerNames(strips), arguments.output.string());
 }
 
-std::vector<std::string> columnWords() {
+std::vector<std::string> columnNames() {
   std::vector<std::string> words;
-  for (const auto& [word, felt] : choicesOf<Felt>()) words.push_back(word);
+  for (const auto& [word, felt] : makeChoices<Felt>()) words.push_back(word);
   words.emplace_back(kStatesWord);
   return words;
 }
@@ -117,8 +117,8 @@ void addPlotCommand(Command& recording) {
   addNumber(command, "--from", a.from_s, between(-1e9, 1e9, "s"), "Begin at this time (default: with the first row)");
   addNumber(command, "--to", a.to_s, between(-1e9, 1e9, "s"), "End at this time (default: with the last row)");
   command.add_option("--finger", a.fingers, "Only this finger, by its name; repeatable")->allow_extra_args(false);
-  takesOneOf(
-      columnWords(),
+  restrictTo(
+      columnNames(),
       command
           .add_option(
               "--columns", a.columns,

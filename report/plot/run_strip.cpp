@@ -10,11 +10,11 @@ namespace {
 /// Twice as many as a picture of common width has columns.
 constexpr std::size_t kMaxSteps = 2048;
 
-FeltTick feltOf(const Vec3& force, const Vec3& device, double depth_mm, const Vec3& anchor, const Vec3& tip) {
+FeltTick makeFeltTick(const Vec3& force, const Vec3& device, double depth_mm, const Vec3& anchor, const Vec3& tip) {
   return {.values = {force.norm(), device.norm(), depth_mm, (anchor - tip).norm(), 0.0}, .tip = tip};
 }
 
-StripStep stepOf(const FeltTick& tick) {
+StripStep toStripStep(const FeltTick& tick) {
   return {.from_s = tick.time_s,
           .to_s = tick.time_s,
           .least = tick.values,
@@ -40,7 +40,7 @@ void join(StripStep& step, const StripStep& next) {
 }  // namespace
 
 FeltTick feltIn(const trace::ForcesRow& row) {
-  FeltTick tick = feltOf(row.force, row.device_force, row.depth_mm, row.anchor, row.tip);
+  FeltTick tick = makeFeltTick(row.force, row.device_force, row.depth_mm, row.anchor, row.tip);
   tick.time_s = row.time_s;
   tick.touch = row.touch;
   tick.contact_status = row.contact_status;
@@ -56,12 +56,12 @@ void RunStrip::add(FeltTick tick) {
   last_s_ = tick.time_s;
   last_tip_ = tick.tip;
   if (in_last_ < ticks_a_step_ && !steps_.empty()) {
-    join(steps_.back(), stepOf(tick));
+    join(steps_.back(), toStripStep(tick));
     ++in_last_;
     return;
   }
   if (steps_.size() == kMaxSteps) halve();
-  steps_.push_back(stepOf(tick));
+  steps_.push_back(toStripStep(tick));
   in_last_ = 1;
 }
 

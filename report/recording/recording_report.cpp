@@ -88,7 +88,7 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
     body.notes.emplace_back(
         "Body or stiffness are not the recorded ones to the bit, but every place that was touched lies on this skin.");
   }
-  body.tissue = scene::inWords(world->tissue);
+  body.tissue = scene::describe(world->tissue);
   std::string note = scene::tissueNote(world->scene, world->tissue, *world->surface.stiffness_n_per_mm);
   if (!note.empty()) body.notes.push_back("Tissue: " + std::move(note) + ".");
   body.landmarks = world->body->anatomy.landmarks;
@@ -96,7 +96,7 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
   body.surface = trace::touchedSurface(world->body->skin, felt.places, body.reach_mm);
 }
 
-std::string bodyOf(trace::RecordingReader& recording, std::uint32_t world) {
+std::string bodyName(trace::RecordingReader& recording, std::uint32_t world) {
   try {
     return recording.world(world).body;
   } catch (const Error&) {
@@ -133,12 +133,12 @@ void addUnsafe(trace::RecordingReader& recording, std::uint32_t number, Recordin
   try {
     const trace::RecordingWorld world = recording.world(number);
     for (const auto& [finger, limits] : engine::limitsIn(world, recording.facts().fingers)) {
-      std::string words = finger + ": " + engine::limitsInWords(limits);
+      std::string words = finger + ": " + engine::describeLimits(limits);
       if (limits.unsafe && std::ranges::find(report.unsafe, words) == report.unsafe.end()) {
         report.unsafe.push_back(std::move(words));
       }
     }
-  } catch (const Error&) {  // NOLINT(bugprone-empty-catch): bodyOf says that nothing is recorded of it
+  } catch (const Error&) {  // NOLINT(bugprone-empty-catch): bodyName says that nothing is recorded of it
   }
 }
 
@@ -154,7 +154,7 @@ RecordingReport recordingReport(trace::RecordingReader& recording, const ReportS
                  (settings.span.from <= report.facts.first_tick && settings.span.to >= report.facts.last_tick);
   report.events = recording.events(settings.span);
   for (const trace::WorldChange& change : report.statistics.worlds) {
-    report.bodies.push_back(bodyOf(recording, change.world));
+    report.bodies.push_back(bodyName(recording, change.world));
     addUnsafe(recording, change.world, report);
   }
   report.body = reportBody(recording, settings, report.statistics, progress);

@@ -78,9 +78,9 @@ std::vector<StatusLine> contactLines(const RecordingReport& report);
 std::uint64_t emergencyStops(const RecordingReport& report);
 
 /// 3725.4 -> "1 h 02 min 05 s", 12.34 -> "12.3 s".
-std::string durationWords(double seconds);
+std::string formatDuration(double seconds);
 /// With `decimals` digits behind the point; a very large number, or one that is not finite, in short form.
-std::string fixedWords(double value, int decimals);
+std::string formatFixed(double value, int decimals);
 /// "search", in the language of the page.
 std::string_view phaseWord(trace::Phase phase);
 

@@ -30,14 +30,14 @@ struct ReportSight {
   const char* words = toTranslate("from behind");
 };
 
-Vec3 normal2Of(const mesh::TriangleMesh& mesh, std::size_t t) {
+Vec3 triangleAreaVector2(const mesh::TriangleMesh& mesh, std::size_t t) {
   const auto& [a, b, c] = mesh.triangles[t];
   return mesh::areaVector2(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
 }
 
-ReportSight sightOf(const trace::TouchedSurface& surface) {
+ReportSight chooseSight(const trace::TouchedSurface& surface) {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t t = 0; t < surface.ticks.size(); ++t) sum += surface.ticks[t] * normal2Of(surface.mesh, t);
+  for (std::size_t t = 0; t < surface.ticks.size(); ++t) sum += surface.ticks[t] * triangleAreaVector2(surface.mesh, t);
   const std::array<ReportSight, 6> sights = {{{Vec3::UnitZ(), Vec3::UnitY(), toTranslate("from behind")},
                                               {-Vec3::UnitZ(), Vec3::UnitY(), toTranslate("from the front")},
                                               {Vec3::UnitX(), Vec3::UnitY(), toTranslate("from the right")},
@@ -69,12 +69,12 @@ struct HeatValues {
 };
 
 /// Exceeded in only this share of the touched area.
-double nearlyGreatest(const trace::TouchedSurface& surface, const std::vector<double>& values) {
+double upperQuantile(const trace::TouchedSurface& surface, const std::vector<double>& values) {
   std::vector<std::pair<double, double>> by_value;  // value, area
   double area = 0.0;
   for (std::size_t t = 0; t < values.size(); ++t) {
     if (!(surface.ticks[t] > 0.0)) continue;
-    by_value.emplace_back(values[t], normal2Of(surface.mesh, t).norm());
+    by_value.emplace_back(values[t], triangleAreaVector2(surface.mesh, t).norm());
     area += by_value.back().second;
   }
   std::sort(by_value.begin(), by_value.end());
@@ -86,12 +86,12 @@ double nearlyGreatest(const trace::TouchedSurface& surface, const std::vector<do
   return by_value.empty() || !(by_value.back().first > 0.0) ? 1.0 : by_value.back().first;
 }
 
-std::array<HeatValues, 2> heatsOf(const RecordingReport& report, const trace::TouchedSurface& surface) {
+std::array<HeatValues, 2> makeHeatValues(const RecordingReport& report, const trace::TouchedSurface& surface) {
   HeatValues time{{}, 1.0, tr("Time in contact"), tr("time"), "s"};
   for (const double ticks : surface.ticks) time.values.push_back(ticks / report.statistics.ticks_per_s);
   HeatValues force{surface.peak_force_n, 1.0, tr("Peak force"), tr("force"), "N"};
-  time.most = nearlyGreatest(surface, time.values);
-  force.most = nearlyGreatest(surface, force.values);
+  time.most = upperQuantile(surface, time.values);
+  force.most = upperQuantile(surface, force.values);
   return {time, force};
 }
 
@@ -139,7 +139,7 @@ figures::MeshView heatView(const trace::TouchedSurface& surface, const HeatValue
     view.positions.insert(view.positions.end(), piece.begin(), piece.end());
     const bool touched = surface.ticks[t] > 0.0;
     const figures::Colour colour = touched ? figures::mapColour(ColourMap::viridis, heat.values[t] / heat.most)
-                                           : litSkin(normal2Of(surface.mesh, t), sight);
+                                           : litSkin(triangleAreaVector2(surface.mesh, t), sight);
     for (Index corner = 2; corner < piece.size(); ++corner) {
       view.triangles.push_back({first, first + corner - 1, first + corner});
       view.colours.push_back(colour);
@@ -161,7 +161,7 @@ figures::Figure heatFigure(const std::array<HeatValues, 2>& heats, const trace::
 }
 
 /// The box of the body, or of its touched part, as the picture has it.
-Eigen::AlignedBox2d seenBoxOf(const trace::TouchedSurface& surface, const ShownPart& axes, bool touched_only) {
+Eigen::AlignedBox2d projectedBox(const trace::TouchedSurface& surface, const ShownPart& axes, bool touched_only) {
   Eigen::AlignedBox2d box;
   for (std::size_t t = 0; t < surface.ticks.size(); ++t) {
     if (touched_only && !(surface.ticks[t] > 0.0)) continue;
@@ -174,14 +174,14 @@ Eigen::AlignedBox2d seenBoxOf(const trace::TouchedSurface& surface, const ShownP
 }
 
 std::vector<ReportPicture> surfacePictures(const RecordingReport& report, const trace::TouchedSurface& surface) {
-  const ReportSight sight = sightOf(surface);
+  const ReportSight sight = chooseSight(surface);
   const ShownPart all{.across = sight.up.cross(sight.towards_viewer), .along = sight.up, .box = {}};
   ShownPart near = all;
-  near.box = seenBoxOf(surface, all, true);
+  near.box = projectedBox(surface, all, true);
   if (near.box.isEmpty()) return {};
   near.box.min() -= Vec2::Constant(kMarginMm);
   near.box.max() += Vec2::Constant(kMarginMm);
-  const std::array<HeatValues, 2> heats = heatsOf(report, surface);
+  const std::array<HeatValues, 2> heats = makeHeatValues(report, surface);
   const bool head_up = sight.up.y() > 0.5;
   std::vector<ReportPicture> pictures;
   pictures.push_back(
@@ -191,7 +191,7 @@ std::vector<ReportPicture> surfacePictures(const RecordingReport& report, const 
            "stands for all that is more.",
            report.body.name, tr(sight.words), head_up ? tr(", the head upwards") : ""),
        heatFigure(heats, surface, sight, all)});
-  const Vec2 body = seenBoxOf(surface, all, false).sizes();
+  const Vec2 body = projectedBox(surface, all, false).sizes();
   if ((near.box.sizes().array() < kLargeShare * body.array()).all()) {
     pictures.push_back({"body_near", "", tr("The same from nearby."), heatFigure(heats, surface, sight, near)});
   }

@@ -27,7 +27,7 @@ struct ReportArguments {
 };
 
 trace::TickSpan reportSpan(const ReportArguments& arguments, const trace::RecordingFacts& facts) {
-  const trace::TickSpan span = ticksOf(arguments.span, facts.header.ticks_per_s);
+  const trace::TickSpan span = toTickSpan(arguments.span, facts.header.ticks_per_s);
   if (facts.samples > 0 && span.from > facts.last_tick) {
     throw Error::inFile(
         arguments.request.file.string(),
@@ -44,10 +44,10 @@ void runReport(const ReportArguments& arguments) {
   }
   ProgressLine progress;
   trace::RecordingReader recording(request.file);
-  const std::filesystem::path page = pageOf(request, standardPage(request.file));
+  const std::filesystem::path page = resolvePagePath(request, standardPage(request.file));
   const ReportSettings settings{request.file, arguments.folder, reportSpan(arguments, recording.facts())};
   const FinishesInOrder in_order;  // the recording's files are in a folder that must be removed again
-  const trace::ReadingWatch watch(endIfAsked);
+  const trace::ReadingWatch watch(throwIfInterrupted);
   const RecordingReport report = recordingReport(recording, settings, progress.callback());
   const FinishedReport finished{.file = request.file,
                                 .page = request.wantsPage() ? reportPage(report, progress.callback()) : std::string(),

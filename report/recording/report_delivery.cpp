@@ -16,7 +16,7 @@ namespace palpate::app {
 namespace {
 
 /// Whether an existing file of this name is not a report of ours, and would be lost although the user did not name it.
-bool isAnothers(const std::filesystem::path& page) {
+bool isForeignFile(const std::filesystem::path& page) {
   std::error_code error;
   if (!std::filesystem::exists(page, error)) return false;
   std::string begin(512, '\0');
@@ -34,14 +34,14 @@ std::filesystem::path standardPage(const std::filesystem::path& file) {
   return name + ".html";
 }
 
-std::filesystem::path pageOf(const ReportRequest& request, const std::filesystem::path& standard_page) {
+std::filesystem::path resolvePagePath(const ReportRequest& request, const std::filesystem::path& standard_page) {
   if (!request.wantsPage()) return {};
   std::error_code error;
   const std::filesystem::path page = request.out.empty() ? standard_page : request.out;
   if (std::filesystem::equivalent(page, request.file, error)) {
     throw Error::inFile(page.string(), "is the file itself that is reported on");
   }
-  if (request.out.empty() && isAnothers(page)) {
+  if (request.out.empty() && isForeignFile(page)) {
     throw Error::inFile(page.string(), "is there already and is not a report; name the page with --out");
   }
   return page;

@@ -28,7 +28,7 @@ struct FinishedReport {
 std::filesystem::path standardPage(const std::filesystem::path& file);
 
 /// The page's file; empty where none is wanted. Throws Error where something would be lost: call it before the work.
-std::filesystem::path pageOf(const ReportRequest& request, const std::filesystem::path& standard_page);
+std::filesystem::path resolvePagePath(const ReportRequest& request, const std::filesystem::path& standard_page);
 
 /// Writes the page and prints the sentences, or the numbers. Throws Error.
 void deliver(const FinishedReport& report, const ReportRequest& request, const std::filesystem::path& page);

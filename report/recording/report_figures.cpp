@@ -59,7 +59,7 @@ void forEachRun(const trace::TickSeries& series, Measured measured, const Visit&
   }
 }
 
-double middleOf(const RecordingReport& report, const trace::TickSeries& series, std::size_t bucket) {
+double bucketMidTime(const RecordingReport& report, const trace::TickSeries& series, std::size_t bucket) {
   const double ticks = (static_cast<double>(bucket) + 0.5) * static_cast<double>(series.ticksABucket());
   return report.secondsAt(series.firstTick()) + ticks / report.statistics.ticks_per_s;
 }
@@ -73,17 +73,17 @@ void addCourse(const RecordingReport& report, const trace::TickSeries& series, c
   forEachRun(series, panel.measured, [&](std::size_t begin, std::size_t end) {
     std::vector<Vec2> outline;
     for (std::size_t b = begin; b < end; ++b) {
-      const double time = middleOf(report, series, b);
+      const double time = bucketMidTime(report, series, b);
       const trace::Extremes& value = series.buckets()[b].values[i];
       outline.emplace_back(time, value.greatest);
       line.x.push_back(time);
       line.y.push_back(value.mean());
     }
     for (std::size_t b = end; b-- > begin;) {
-      outline.emplace_back(middleOf(report, series, b), series.buckets()[b].values[i].least);
+      outline.emplace_back(bucketMidTime(report, series, b), series.buckets()[b].values[i].least);
     }
     if (series.ticksABucket() > 1) band.paths.push_back(std::move(outline));
-    line.x.push_back(middleOf(report, series, end));
+    line.x.push_back(bucketMidTime(report, series, end));
     line.y.push_back(std::numeric_limits<double>::quiet_NaN());
   });
   if (!band.paths.empty()) plot.shapes.push_back(std::move(band));

@@ -54,17 +54,17 @@ dd { margin: 0 0 0 1.2rem; max-width: 48rem; }
 /// Takes the smaller of SVG and PNG: curves are small as SVG, surfaces as PNG.
 std::string pictureData(const figures::Figure& figure) {
   constexpr double kPixels = 1.6;  // for a CSS pixel: sharp on screens and on paper
-  const std::string png = figures::pngOf(figure, kPixels);
+  const std::string png = figures::renderPng(figure, kPixels);
   const bool surfaces = std::ranges::any_of(
       figure.panels, [](const figures::Panel& panel) { return std::holds_alternative<figures::MeshView>(panel); });
   if (surfaces) return "data:image/png;base64," + base64(png);
-  const std::string svg = figures::svgOf(figure);
+  const std::string svg = figures::renderSvg(figure);
   return svg.size() <= png.size() ? "data:image/svg+xml;base64," + base64(svg) : "data:image/png;base64," + base64(png);
 }
 
-std::string rowOf(std::string_view tag, const Cells& cells) {
+std::string htmlRow(std::string_view tag, const Cells& cells) {
   std::string html = "<tr>";
-  for (const std::string& cell : cells) html += elementOf(tag, cell);
+  for (const std::string& cell : cells) html += htmlElement(tag, cell);
   return html + "</tr>\n";
 }
 
@@ -93,26 +93,27 @@ std::string escapedText(std::string_view text) {
   return html;
 }
 
-std::string elementOf(std::string_view tag, std::string_view text) {
+std::string htmlElement(std::string_view tag, std::string_view text) {
   return fmt::format("<{0}>{1}</{0}>", tag, escapedText(text));
 }
 
 std::string tableOf(std::string_view kind, const Cells& headings, const std::vector<Cells>& rows) {
   std::string html = fmt::format("<div class=\"wide\"><table class=\"{}\">", kind);
-  if (!headings.empty()) html += "<thead>" + rowOf("th", headings) + "</thead>";
+  if (!headings.empty()) html += "<thead>" + htmlRow("th", headings) + "</thead>";
   html += "<tbody>\n";
-  for (const Cells& row : rows) html += rowOf("td", row);
+  for (const Cells& row : rows) html += htmlRow("td", row);
   return html + "</tbody></table></div>\n";
 }
 
 std::string factRow(std::string_view name, std::string_view value) {
-  return value.empty() ? std::string() : fmt::format("<tr>{}{}</tr>\n", elementOf("th", name), elementOf("td", value));
+  return value.empty() ? std::string()
+                       : fmt::format("<tr>{}{}</tr>\n", htmlElement("th", name), htmlElement("td", value));
 }
 
 std::string figureHtml(std::string_view id, const figures::Figure& figure, std::string_view alternative,
                        std::string_view caption) {
   return fmt::format("<figure id=\"{}\"><img alt=\"{}\" src=\"{}\" />{}</figure>\n", id, escapedText(alternative),
-                     pictureData(figure), elementOf("figcaption", caption));
+                     pictureData(figure), htmlElement("figcaption", caption));
 }
 
 std::string pageBegin(std::string_view name) {
@@ -120,12 +121,12 @@ std::string pageBegin(std::string_view name) {
       "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\" />\n{}\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n{}\n<style>{}</style>\n</head>\n"
       "<body>\n<main>\n{}\n",
-      language().code, kReportMark, elementOf("title", name), kPageStyle, elementOf("h1", name));
+      language().code, kReportMark, htmlElement("title", name), kPageStyle, htmlElement("h1", name));
 }
 
-std::string summaryOf(const std::vector<std::string>& sentences) {
+std::string summaryHtml(const std::vector<std::string>& sentences) {
   std::string html = "<ul class=\"summary\">\n";
-  for (const std::string& sentence : sentences) html += elementOf("li", sentence) + "\n";
+  for (const std::string& sentence : sentences) html += htmlElement("li", sentence) + "\n";
   return html + "</ul>\n";
 }
 

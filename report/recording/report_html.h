@@ -14,7 +14,7 @@ namespace palpate::app {
 /// Escapes for XML, between tags and in quotes.
 std::string escapedText(std::string_view text);
 
-std::string elementOf(std::string_view tag, std::string_view text);
+std::string htmlElement(std::string_view tag, std::string_view text);
 
 using Cells = std::vector<std::string>;
 
@@ -32,7 +32,7 @@ std::string figureHtml(std::string_view id, const figures::Figure& figure, std::
 std::string pageBegin(std::string_view name);
 inline constexpr std::string_view kPageEnd = "</main>\n</body>\n</html>\n";
 /// The main results, in sentences.
-std::string summaryOf(const std::vector<std::string>& sentences);
+std::string summaryHtml(const std::vector<std::string>& sentences);
 
 // The tables of a recording's report, each with its heading; empty without rows.
 

@@ -110,7 +110,7 @@ Json contactsJson(const RecordingReport& report) {
                     {"peak_depth_mm", contact.peak_depth_mm},
                     {"path_mm", contact.path_mm},
                     {"peak_place_mm", vectorJson(contact.peak_place)}});
-    const std::string where = body::inWords(report.body.landmarks, contact.peak_place);
+    const std::string where = body::describePlace(report.body.landmarks, contact.peak_place);
     if (!where.empty()) json.back()["peak_where"] = where;
   }
   return json;

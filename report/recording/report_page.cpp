@@ -20,14 +20,14 @@ using study::rounded;
 // ---- facts
 
 /// 2026-11-21T18:45:00Z -> 2026-11-21 18:45:00 UTC
-std::string momentWords(std::string moment) {
+std::string formatTimestamp(std::string moment) {
   const bool common = moment.size() == 20 && moment[10] == 'T' && moment[19] == 'Z';
   return common ? moment.substr(0, 10) + " " + moment.substr(11, 8) + " UTC" : moment;
 }
 
-std::string lengthWords(const RecordingReport& report) {
+std::string describeLength(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
-  std::string text = durationWords(report.facts.seconds());
+  std::string text = formatDuration(report.facts.seconds());
   if (!report.whole && ticks.recorded > 0) {
     text += trf("; this report is of {:.2f} s to {:.2f} s", report.secondsAt(ticks.first),
                 report.secondsAt(ticks.last + 1));
@@ -35,7 +35,7 @@ std::string lengthWords(const RecordingReport& report) {
   return text + trf("; {} ticks a second", rounded(report.statistics.ticks_per_s, 4));
 }
 
-std::string bodyWords(const RecordingReport& report) {
+std::string describeBodies(const RecordingReport& report) {
   std::vector<std::string> names;
   for (const std::string& body : report.bodies) {
     if (std::find(names.begin(), names.end(), body) == names.end()) names.push_back(body);
@@ -54,16 +54,16 @@ std::string bodyWords(const RecordingReport& report) {
 std::string factsTable(const RecordingReport& report) {
   const trace::RecordingFacts& facts = report.facts;
   std::string html = "<div class=\"wide\"><table class=\"facts\"><tbody>\n";
-  html += factRow(tr("Begun"), momentWords(facts.header.started_utc));
-  html +=
-      factRow(tr("Ended"), facts.ended_by.empty() ? tr("no end: it is being written, or its program was killed")
-                                                  : trf("{}, by: {}", momentWords(facts.ended_utc), facts.ended_by));
-  html += factRow(tr("Length"), lengthWords(report));
+  html += factRow(tr("Begun"), formatTimestamp(facts.header.started_utc));
+  html += factRow(tr("Ended"), facts.ended_by.empty()
+                                   ? tr("no end: it is being written, or its program was killed")
+                                   : trf("{}, by: {}", formatTimestamp(facts.ended_utc), facts.ended_by));
+  html += factRow(tr("Length"), describeLength(report));
   for (const trace::RecordingFinger& finger : facts.fingers) {
     const bool scripted = finger.device == finger.name;  // a script is named like its finger
     html += factRow(tr("Finger"), scripted ? finger.name : trf("{}, held by {}", finger.name, finger.device));
   }
-  html += factRow(tr("Body"), bodyWords(report));
+  html += factRow(tr("Body"), describeBodies(report));
   html += factRow(tr("Tissue"), report.body.tissue);
   for (const std::string& unsafe : report.unsafe) html += factRow(tr("Safety"), unsafe);
   html += factRow(tr("Notes"), facts.header.notes);
@@ -79,7 +79,7 @@ std::string picturesHtml(const std::vector<ReportPicture>& pictures, const Progr
   std::string html;
   for (const ReportPicture& picture : pictures) {
     palpate::report(progress, "drawing " + picture.id, 0.0);
-    if (!picture.heading.empty()) html += elementOf("h2", picture.heading) + "\n";
+    if (!picture.heading.empty()) html += htmlElement("h2", picture.heading) + "\n";
     html += figureHtml(picture.id, picture.figure, picture.caption, picture.caption);
   }
   return html;
@@ -90,12 +90,12 @@ std::string picturesHtml(const std::vector<ReportPicture>& pictures, const Progr
 std::string bodySection(const RecordingReport& report, const Progress& progress) {
   std::string html = picturesHtml(bodyPictures(report), progress);
   if (!report.body.why_not.empty()) {
-    html += elementOf("p", report.body.why_not + " " +
-                               tr("So the map above is one of places only; --folder says where the files of the body "
-                                  "lie now.")) +
+    html += htmlElement("p", report.body.why_not + " " +
+                                 tr("So the map above is one of places only; --folder says where the files of the body "
+                                    "lie now.")) +
             "\n";
   }
-  for (const std::string& note : report.body.notes) html += elementOf("p", note) + "\n";
+  for (const std::string& note : report.body.notes) html += htmlElement("p", note) + "\n";
   if (!report.body.surface) return html;
   const trace::TouchedSurface& surface = *report.body.surface;
   const double share = surface.dorsal_mm2 > 0.0 ? surface.touched_dorsal_mm2 / surface.dorsal_mm2 : 0.0;
@@ -106,9 +106,9 @@ std::string bodySection(const RecordingReport& report, const Progress& progress)
                    {tr("share of the back that was touched"), percent(share)}});
   if (surface.astray_ticks > 0 || report.statistics.places_left_out > 0) {
     html +=
-        elementOf("p",
-                  trf("{} s of touch lie on no place of this skin and are left out.",
-                      rounded(report.statistics.seconds(surface.astray_ticks + report.statistics.places_left_out)))) +
+        htmlElement("p",
+                    trf("{} s of touch lie on no place of this skin and are left out.",
+                        rounded(report.statistics.seconds(surface.astray_ticks + report.statistics.places_left_out)))) +
         "\n";
   }
   return html;
@@ -151,14 +151,14 @@ std::string definitionsSection(const RecordingReport& report) {
       {tr("Limits"),
        tr("All of it is what the program computed and what the device reported. It measures no skill and diagnoses "
           "nothing; Palpate is not a medical device.")}};
-  std::string html = elementOf("h2", tr("What the words mean")) + "\n<dl>\n";
-  for (const auto& [word, meaning] : definitions) html += elementOf("dt", word) + elementOf("dd", meaning) + "\n";
+  std::string html = htmlElement("h2", tr("What the words mean")) + "\n<dl>\n";
+  for (const auto& [word, meaning] : definitions) html += htmlElement("dt", word) + htmlElement("dd", meaning) + "\n";
   return html + "</dl>\n";
 }
 
 std::string pageHead(const RecordingReport& report) {
   const std::string name = trf("Recording {}", report.file.filename().string());
-  return pageBegin(name) + summaryOf(reportSentences(report));
+  return pageBegin(name) + summaryHtml(reportSentences(report));
 }
 
 }  // namespace

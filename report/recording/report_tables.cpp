@@ -45,7 +45,7 @@ std::string phaseTimes(const RecordingReport& report) {
       const auto i = static_cast<std::size_t>(phase);
       rows.push_back({fmt::format("{}: {}", fingerName(report, f), phaseWord(phase)),
                       counted(static_cast<double>(finger.phases[i])),
-                      fixedWords(report.statistics.seconds(finger.phase_ticks[i]), 2),
+                      formatFixed(report.statistics.seconds(finger.phase_ticks[i]), 2),
                       percent(static_cast<double>(finger.phase_ticks[i]) / static_cast<double>(all))});
     }
   }
@@ -65,13 +65,13 @@ std::string longestPhases(const RecordingReport& report) {
   std::vector<Cells> rows;
   for (const trace::PhaseSpan& span : spans) {
     rows.push_back({fingerName(report, span.finger), std::string(phaseWord(span.phase)),
-                    fixedWords(report.secondsAt(span.first_tick), 2),
-                    fixedWords(report.statistics.seconds(span.ticks()), 2)});
+                    formatFixed(report.secondsAt(span.first_tick), 2),
+                    formatFixed(report.statistics.seconds(span.ticks()), 2)});
   }
   if (rows.empty()) return {};
-  return elementOf("p", all > kMaxPhases ? trf("The {} longest phases on the skin of {}:", kMaxPhases,
-                                               counted(static_cast<double>(all)))
-                                         : std::string(tr("All phases on the skin:"))) +
+  return htmlElement("p", all > kMaxPhases ? trf("The {} longest phases on the skin of {}:", kMaxPhases,
+                                                 counted(static_cast<double>(all)))
+                                           : std::string(tr("All phases on the skin:"))) +
          "\n" + tableOf("numbers", {tr("finger"), tr("phase"), tr("begin (s)"), tr("length (s)")}, rows);
 }
 
@@ -80,8 +80,8 @@ std::string bitsTable(const RecordingReport& report, const std::vector<StatusLin
   for (const StatusLine& line : lines) {
     rows.push_back({fingerName(report, line.finger), line.name, std::string(line.meaning),
                     counted(static_cast<double>(line.tally.times)),
-                    fixedWords(report.statistics.seconds(line.tally.ticks), 3),
-                    fixedWords(report.secondsAt(line.tally.first_tick), 3)});
+                    formatFixed(report.statistics.seconds(line.tally.ticks), 3),
+                    formatFixed(report.secondsAt(line.tally.first_tick), 3)});
   }
   return tableOf(
       "words", {tr("finger"), tr("what"), tr("which means"), tr("times"), tr("in all (s)"), tr("first at (s)")}, rows);
@@ -104,24 +104,24 @@ std::string sizesTable(const RecordingReport& report) {
     for (const auto& [measured, name, decimals] : kQuantities) {
       const trace::FixedHistogram& histogram = report.statistics.fingers[f].of(measured);
       if (histogram.count() == 0) continue;
-      rows.push_back({fmt::format("{}: {}", fingerName(report, f), tr(name)), fixedWords(histogram.mean(), decimals),
-                      fixedWords(histogram.quantile(0.5), decimals), fixedWords(histogram.quantile(0.95), decimals),
-                      fixedWords(histogram.greatest(), decimals)});
+      rows.push_back({fmt::format("{}: {}", fingerName(report, f), tr(name)), formatFixed(histogram.mean(), decimals),
+                      formatFixed(histogram.quantile(0.5), decimals), formatFixed(histogram.quantile(0.95), decimals),
+                      formatFixed(histogram.greatest(), decimals)});
     }
   }
   if (rows.empty()) return {};
-  return elementOf("p", tr("While in contact:")) + "\n" +
+  return htmlElement("p", tr("While in contact:")) + "\n" +
          tableOf("numbers", {"", tr("mean"), tr("median"), tr("95 % are below"), tr("largest")}, rows);
 }
 
 std::string phasesSection(const RecordingReport& report) {
   const std::string times = phaseTimes(report);
-  return times.empty() ? times : elementOf("h2", tr("Search and palpation")) + "\n" + times + longestPhases(report);
+  return times.empty() ? times : htmlElement("h2", tr("Search and palpation")) + "\n" + times + longestPhases(report);
 }
 
 std::string contactsSection(const RecordingReport& report) {
-  std::string html = elementOf("h2", tr("Contacts")) + "\n";
-  if (report.statistics.contact_count == 0) return html + elementOf("p", tr("No finger touched the skin.")) + "\n";
+  std::string html = htmlElement("h2", tr("Contacts")) + "\n";
+  if (report.statistics.contact_count == 0) return html + htmlElement("p", tr("No finger touched the skin.")) + "\n";
   std::vector<trace::Contact> contacts = report.statistics.contacts;
   std::stable_sort(contacts.begin(), contacts.end(),
                    [](const auto& a, const auto& b) { return a.first_tick < b.first_tick; });
@@ -131,11 +131,11 @@ std::string contactsSection(const RecordingReport& report) {
   for (const trace::Contact& contact : contacts) {
     const Vec3& place = contact.peak_place;
     rows.push_back(
-        {fingerName(report, contact.finger), fixedWords(report.secondsAt(contact.first_tick), 3),
-         fixedWords(report.statistics.seconds(contact.ticks()), 3), fixedWords(contact.peak_force_n, 2),
-         fixedWords(contact.mean_force_n, 2), fixedWords(contact.peak_depth_mm, 2), fixedWords(contact.path_mm, 1),
-         fmt::format("{}, {}, {}", fixedWords(place.x(), 1), fixedWords(place.y(), 1), fixedWords(place.z(), 1))});
-    if (has_names) rows.back().push_back(body::inWords(report.body.landmarks, place));
+        {fingerName(report, contact.finger), formatFixed(report.secondsAt(contact.first_tick), 3),
+         formatFixed(report.statistics.seconds(contact.ticks()), 3), formatFixed(contact.peak_force_n, 2),
+         formatFixed(contact.mean_force_n, 2), formatFixed(contact.peak_depth_mm, 2), formatFixed(contact.path_mm, 1),
+         fmt::format("{}, {}, {}", formatFixed(place.x(), 1), formatFixed(place.y(), 1), formatFixed(place.z(), 1))});
+    if (has_names) rows.back().push_back(body::describePlace(report.body.landmarks, place));
   }
   Cells head = {tr("finger"),
                 tr("begin (s)"),
@@ -151,14 +151,14 @@ std::string contactsSection(const RecordingReport& report) {
 }
 
 std::string safetySection(const RecordingReport& report) {
-  std::string html = elementOf("h2", tr("Safety")) + "\n";
-  html += elementOf("p", trf("Emergency stops: {}.", emergencyStops(report))) + "\n";
+  std::string html = htmlElement("h2", tr("Safety")) + "\n";
+  html += htmlElement("p", trf("Emergency stops: {}.", emergencyStops(report))) + "\n";
   const std::vector<StatusLine> safety = safetyLines(report);
-  html += safety.empty() ? elementOf("p", tr("The safety limits never had to act.")) + "\n"
-                         : elementOf("p", tr("What the safety limits did:")) + "\n" + bitsTable(report, safety);
+  html += safety.empty() ? htmlElement("p", tr("The safety limits never had to act.")) + "\n"
+                         : htmlElement("p", tr("What the safety limits did:")) + "\n" + bitsTable(report, safety);
   const std::vector<StatusLine> contact = contactLines(report);
   if (!contact.empty())
-    html += elementOf("p", tr("What the contact told of itself:")) + "\n" + bitsTable(report, contact);
+    html += htmlElement("p", tr("What the contact told of itself:")) + "\n" + bitsTable(report, contact);
   return html;
 }
 
@@ -181,7 +181,7 @@ std::string servoSection(const RecordingReport& report) {
   if (ticks.out_of_order > 0) {
     rows.push_back({tr("ticks out of order, left out here"), counted(static_cast<double>(ticks.out_of_order))});
   }
-  return elementOf("h2", tr("The loop and its record")) + "\n" + tableOf("numbers", {}, rows) +
+  return htmlElement("h2", tr("The loop and its record")) + "\n" + tableOf("numbers", {}, rows) +
          quietLine(tr("A missing tick is one that the loop did not reach in time, or whose sample was dropped."));
 }
 
@@ -191,10 +191,10 @@ std::string eventsSection(const RecordingReport& report) {
   for (const trace::RecordingEvent& event : report.events) {
     if (rows.size() == kMaxRows) break;
     const bool known = event.finger && *event.finger < report.facts.fingers.size();
-    rows.push_back({fixedWords(report.secondsAt(event.tick), 3), known ? fingerName(report, *event.finger) : "",
+    rows.push_back({formatFixed(report.secondsAt(event.tick), 3), known ? fingerName(report, *event.finger) : "",
                     event.kind, event.text});
   }
-  std::string html = elementOf("h2", tr("Events and marks")) + "\n" +
+  std::string html = htmlElement("h2", tr("Events and marks")) + "\n" +
                      tableOf("words", {tr("at (s)"), tr("finger"), tr("kind"), tr("text")}, rows);
   if (report.events.size() > rows.size()) {
     html += quietLine(trf("{} more are not shown here; --json lists all.",

@@ -48,7 +48,7 @@ constexpr std::array<const char*, 8> kContactMeanings = {
     toTranslate("the finger's place on the skin took more than a tick"),
     toTranslate("smoothing of facets fell back to the facets")};
 
-double shareOf(std::uint64_t part, std::uint64_t whole) {
+double computeShare(std::uint64_t part, std::uint64_t whole) {
   return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
@@ -74,7 +74,7 @@ std::vector<StatusLine> linesOf(const RecordingReport& report, std::span<const S
 std::string lengthSentence(const RecordingReport& report) {
   const trace::RecordedTicks& ticks = report.statistics.ticks;
   if (ticks.recorded == 0) return tr("Nothing was recorded: there is not a single tick.");
-  const std::string length = durationWords(report.statistics.seconds(ticks.expected()));
+  const std::string length = formatDuration(report.statistics.seconds(ticks.expected()));
   const std::string fingers =
       trnf("{} finger", "{} fingers", report.statistics.fingers.size(), report.statistics.fingers.size());
   return report.whole ? trf("The recording lasts {} and has {}.", length, fingers)
@@ -97,13 +97,13 @@ std::string touchSentence(const RecordingReport& report, std::size_t f) {
   if (finger.contacts == 0) return trf("{} touched nothing.", name);
   const trace::FixedHistogram& force = finger.of(Measured::force);
   const trace::FixedHistogram& depth = finger.of(Measured::depth);
-  std::string text =
-      trf("{} touched the skin in {}, {} in all ({} of its time).", name,
-          trnf("{} contact", "{} contacts", finger.contacts, counted(static_cast<double>(finger.contacts))),
-          durationWords(report.statistics.seconds(finger.touching)), percent(shareOf(finger.touching, finger.ticks)));
+  std::string text = trf(
+      "{} touched the skin in {}, {} in all ({} of its time).", name,
+      trnf("{} contact", "{} contacts", finger.contacts, counted(static_cast<double>(finger.contacts))),
+      formatDuration(report.statistics.seconds(finger.touching)), percent(computeShare(finger.touching, finger.ticks)));
   text += " " + trf("It pressed with {} N on average and {} N at most, {} mm deep on average and {} mm at most.",
-                    fixedWords(force.mean(), 2), fixedWords(force.greatest(), 2), fixedWords(depth.mean(), 1),
-                    fixedWords(depth.greatest(), 1));
+                    formatFixed(force.mean(), 2), formatFixed(force.greatest(), 2), formatFixed(depth.mean(), 1),
+                    formatFixed(depth.greatest(), 1));
   const trace::Contact* strongest = strongestContact(report, f);
   if (strongest != nullptr && finger.contacts > 1 && report.statistics.contact_count <= trace::kMaxListed) {
     text += " " + trf("The hardest contact began at {:.2f} s.", report.secondsAt(strongest->first_tick));
@@ -116,11 +116,11 @@ std::string phaseSentence(const RecordingReport& report, std::size_t f) {
   if (finger.contacts == 0) return {};
   const std::uint64_t all = finger.phase_ticks[0] + finger.phase_ticks[1] + finger.phase_ticks[2];
   const auto share = [&](trace::Phase phase) {
-    return percent(shareOf(finger.phase_ticks[static_cast<std::size_t>(phase)], all));
+    return percent(computeShare(finger.phase_ticks[static_cast<std::size_t>(phase)], all));
   };
   return trf("{} spent {} of its time in search, {} in palpation and {} off the skin; it went {} mm over the skin.",
              report.facts.fingers[f].name, share(trace::Phase::search), share(trace::Phase::palpation),
-             share(trace::Phase::away), fixedWords(finger.path_mm, 0));
+             share(trace::Phase::away), formatFixed(finger.path_mm, 0));
 }
 
 std::string coverageSentence(const RecordingReport& report) {
@@ -164,7 +164,7 @@ std::string servoSentence(const RecordingReport& report) {
   if (ticks.missing() > 0) {
     text = trf("{} of {} ticks are missing ({}), in {}; the longest gap is {} ms, at {:.2f} s.",
                counted(static_cast<double>(ticks.missing())), expected,
-               percent(shareOf(ticks.missing(), ticks.expected())),
+               percent(computeShare(ticks.missing(), ticks.expected())),
                trnf("{} gap", "{} gaps", ticks.gaps, counted(static_cast<double>(ticks.gaps))),
                rounded(1000.0 * report.statistics.seconds(ticks.longest_gap.missing), 3),
                report.secondsAt(ticks.longest_gap.after_tick));
@@ -210,7 +210,7 @@ std::uint64_t emergencyStops(const RecordingReport& report) {
   return most;
 }
 
-std::string durationWords(double seconds) {
+std::string formatDuration(double seconds) {
   if (!(seconds < 120.0)) {
     const auto whole = static_cast<std::uint64_t>(std::min(std::round(seconds), 1e15));
     const std::uint64_t hours = whole / 3600;
@@ -220,7 +220,7 @@ std::string durationWords(double seconds) {
   return trf("{:.{}f} s", seconds, seconds < 1.0 ? 3 : 1);
 }
 
-std::string fixedWords(double value, int decimals) {
+std::string formatFixed(double value, int decimals) {
   constexpr double kLong = 1e7;
   return std::abs(value) < kLong ? fmt::format("{:.{}f}", WrittenNumber{value}, decimals)
                                  : fmt::format("{:.3g}", WrittenNumber{value});

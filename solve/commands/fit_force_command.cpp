@@ -36,7 +36,7 @@ constexpr figures::Colour kRows{0.55, 0.55, 0.55};
 
 figures::Colour colourOf(ForceForm form) { return figures::seriesColour(static_cast<std::size_t>(form)); }
 
-figures::Stroke strokeOf(ForceForm form, ForceForm chosen) {
+figures::Stroke curveStroke(ForceForm form, ForceForm chosen) {
   return form == chosen ? figures::Stroke::solid : figures::Stroke::dashed;
 }
 
@@ -44,7 +44,7 @@ std::string nameWithRms(const ForceFit& fit) { return fmt::format("{}, {:.1f} %"
 
 Series lawSeries(const ForceFit& fit, double from_mm, double to_mm, double scale, ForceForm chosen) {
   constexpr int kPoints = 200;
-  Series law{.name = nameWithRms(fit), .stroke = strokeOf(fit.form, chosen), .colour = colourOf(fit.form)};
+  Series law{.name = nameWithRms(fit), .stroke = curveStroke(fit.form, chosen), .colour = colourOf(fit.form)};
   if (fit.form == chosen) law.width_px = 2.6;
   for (int i = 0; i <= kPoints; ++i) {
     const double depth = from_mm + (to_mm - from_mm) * i / kPoints;
@@ -63,7 +63,7 @@ Series rowSeries(const std::string& name, const tissue::ForceCurve& curve) {
           .colour = kRows};
 }
 
-double deepestOf(const tissue::ForceCurve& curve) { return *std::ranges::max_element(curve.depth_mm); }
+double maxDepth(const tissue::ForceCurve& curve) { return *std::ranges::max_element(curve.depth_mm); }
 
 // --- one curve
 
@@ -72,7 +72,7 @@ Plot forcePlot(const FittedCurve& one, ForceForm chosen) {
   plot.series.push_back(rowSeries("measured", one.curve));
   const double from = std::min(0.0, *std::ranges::min_element(one.curve.depth_mm));
   for (const ForceFit& fit : one.fits) {
-    plot.series.push_back(lawSeries(fit, from, deepestOf(one.curve), 1.0, chosen));
+    plot.series.push_back(lawSeries(fit, from, maxDepth(one.curve), 1.0, chosen));
   }
   return plot;
 }
@@ -101,7 +101,7 @@ Plot missPlot(const FittedCurve& one, ForceForm chosen) {
 
 /// In units of its own force at the reference depth, from the contact on.
 Series scaledRows(const FittedCurve& one) {
-  const ForceFit& power = fitOf(one.fits, ForceForm::power);
+  const ForceFit& power = findFit(one.fits, ForceForm::power);
   const double scale = 1.0 / (tissue::kReferenceDepthMm * power.secant.value);
   const tissue::ForceRows rows = rowsOf(one.curve);
   Series line{.colour = kRows, .width_px = 0.8};
@@ -136,7 +136,7 @@ Plot exponentPlot(const ForceResult& result) {
             .y = {.label = "curves up to it", .unit = "%"}};
   Series all{.marker = figures::Marker::circle};
   for (const FittedCurve& one : result.curves) {
-    all.x.push_back(fitOf(one.fits, ForceForm::power).numbers.front().value);
+    all.x.push_back(findFit(one.fits, ForceForm::power).numbers.front().value);
   }
   std::ranges::sort(all.x);
   for (std::size_t i = 0; i < all.x.size(); ++i) {
@@ -216,7 +216,7 @@ ForceResult fitted(const FitForceArguments& arguments) {
   return result;
 }
 
-ForceForm formOf(const FitForceArguments& arguments, const ForceResult& result) {
+ForceForm chooseForm(const FitForceArguments& arguments, const ForceResult& result) {
   for (const ForceForm form : tissue::kForceForms) {
     if (nameOf(form) == arguments.form) return form;
   }
@@ -224,7 +224,7 @@ ForceForm formOf(const FitForceArguments& arguments, const ForceResult& result) 
 }
 
 void writeTable(const FitForceArguments& arguments, ForceResult& result) {
-  const ForceFit& fit = fitOf(result.fits(), result.chosen);
+  const ForceFit& fit = findFit(result.fits(), result.chosen);
   const std::string made = fmt::format("# {} law fitted to {}, {:.4g} N/mm at {} mm\n", nameOf(fit.form),
                                        oneLine(arguments.file, 200), fit.secant.value, tissue::kReferenceDepthMm);
   writeFile(arguments.output, made + forceTableText(tableOf(fit)));
@@ -235,16 +235,16 @@ void writeTable(const FitForceArguments& arguments, ForceResult& result) {
 void runFitForce(const FitForceArguments& arguments) {
   if (!arguments.plot.empty()) checkPictureName(arguments.plot);
   ForceResult result = fitted(arguments);
-  result.chosen = formOf(arguments, result);
+  result.chosen = chooseForm(arguments, result);
   if (!arguments.output.empty()) writeTable(arguments, result);
   if (!arguments.plot.empty()) {
     writePicture(forceFitFigure(result), arguments.plot);
     result.written.push_back(arguments.plot);
   }
-  fmt::print("{}", arguments.json ? jsonDump(jsonOf(result), 2) + "\n" : textOf(result));
+  fmt::print("{}", arguments.json ? jsonDump(toJson(result), 2) + "\n" : textOf(result));
 }
 
-std::vector<std::string> formWords() {
+std::vector<std::string> formChoices() {
   std::vector<std::string> words = {kBestWord};
   for (const ForceForm form : tissue::kForceForms) words.emplace_back(nameOf(form));
   return words;
@@ -257,8 +257,9 @@ void addFitForceCommand(Command& parent) {
   command.add_option("--data,CURVES", a.file, "Table depth_mm,force_n and, where there are several, curve or place")
       ->required();
   command.add_option("--curve", a.curves, "Only this curve, by its name; repeatable")->allow_extra_args(false);
-  takesOneOf(formWords(), command.add_option("--form", a.form,
-                                             "Of the table and the scene keys; best: what foretells unseen rows best"))
+  restrictTo(
+      formChoices(),
+      command.add_option("--form", a.form, "Of the table and the scene keys; best: what foretells unseen rows best"))
       ->capture_default_str();
   command.add_flag("--free-offset", a.settings.free_offset,
                    "Look for the depth at which each curve meets the skin, instead of at 0");

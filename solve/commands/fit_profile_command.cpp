@@ -53,7 +53,7 @@ void fitDepths(ProfileResult& result) {
   }
 }
 
-ProfileForm profileFormOf(const FitProfileArguments& arguments, const ProfileResult& result) {
+ProfileForm chooseProfileForm(const FitProfileArguments& arguments, const ProfileResult& result) {
   for (const ProfileForm form : tissue::kProfileForms) {
     if (nameOf(form) == arguments.form) return form;
   }
@@ -111,7 +111,7 @@ void runFitProfile(const FitProfileArguments& arguments) {
   result.profiles = tissue::readSkinProfiles(arguments.data);
   if (!arguments.forces.empty()) result.force = forceFrom(arguments.forces);
   fitDepths(result);
-  result.chosen = profileFormOf(arguments, result);
+  result.chosen = chooseProfileForm(arguments, result);
   makeTable(arguments, result);
   if (!arguments.output.empty()) {
     writeLayeredTable(arguments.output, result.table);
@@ -123,10 +123,10 @@ void runFitProfile(const FitProfileArguments& arguments) {
     writePicture(profileFitFigure(result), arguments.plot);
     result.written.push_back(arguments.plot);
   }
-  fmt::print("{}", arguments.json ? jsonDump(jsonOf(result), 2) + "\n" : textOf(result));
+  fmt::print("{}", arguments.json ? jsonDump(toJson(result), 2) + "\n" : textOf(result));
 }
 
-std::vector<std::string> profileFormWords() {
+std::vector<std::string> profileFormChoices() {
   std::vector<std::string> words = {kBestProfileWord};
   for (const ProfileForm form : tissue::kProfileForms) words.emplace_back(nameOf(form));
   return words;
@@ -143,7 +143,7 @@ void addFitProfileCommand(Command& parent) {
   command.add_option("--layer", a.layers, "What lies there, NAME:THICKNESS:MODULUS from the skin down; repeatable")
       ->allow_extra_args(false);
   addNumber(command, "--indenter-radius-mm", a.indenter_radius_mm, between(0.1, 1000.0, "mm"), "Of the sphere");
-  takesOneOf(profileFormWords(),
+  restrictTo(profileFormChoices(),
              command.add_option("--form", a.form, "Of the table; best: what foretells unseen places best"))
       ->capture_default_str();
   namesFileToWrite(

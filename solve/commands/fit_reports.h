@@ -33,13 +33,13 @@ struct ForceResult {
   const std::vector<tissue::ForceFit>& fits() const { return shared.empty() ? curves.front().fits : shared; }
 };
 
-const tissue::ForceFit& fitOf(const std::vector<tissue::ForceFit>& fits, tissue::ForceForm form);
+const tissue::ForceFit& findFit(const std::vector<tissue::ForceFit>& fits, tissue::ForceForm form);
 
 /// Lines for a scene file; the table's name is needed where the engine has no law of this form.
 std::string sceneKeys(const ForceResult& result);
 
 std::string textOf(const ForceResult& result);
-Json jsonOf(const ForceResult& result);
+Json toJson(const ForceResult& result);
 
 // Results of `palpate tissue fit profile`, for people and for programs, and as a picture.
 
@@ -59,7 +59,7 @@ struct ProfileResult {
 };
 
 std::string textOf(const ProfileResult& result);
-Json jsonOf(const ProfileResult& result);
+Json toJson(const ProfileResult& result);
 
 /// Places and fits by depth, down and sideways; misses; the curve for all depths.
 figures::Figure profileFitFigure(const ProfileResult& result);

@@ -19,11 +19,11 @@ using tissue::ForceForm;
 template <class Number>
 std::vector<double> ofAll(const ForceResult& result, ForceForm form, const Number& number) {
   std::vector<double> values;
-  for (const FittedCurve& one : result.curves) values.push_back(number(fitOf(one.fits, form)));
+  for (const FittedCurve& one : result.curves) values.push_back(number(findFit(one.fits, form)));
   return values;
 }
 
-double exponentOf(const ForceFit& power) { return power.numbers.front().value; }
+double powerExponent(const ForceFit& power) { return power.numbers.front().value; }
 
 // --- text
 
@@ -62,18 +62,18 @@ std::string curvesText(const ForceResult& result) {
                                  "exponent", "RMS", "best form");
   for (std::size_t i = 0; i < std::min(result.curves.size(), kMaxShown); ++i) {
     const FittedCurve& one = result.curves[i];
-    const ForceFit& power = fitOf(one.fits, ForceForm::power);
+    const ForceFit& power = findFit(one.fits, ForceForm::power);
     const ForceFit& best = bestOf(one.fits);
     text += fmt::format("{:<24}{:>6}{:>9.2f}{:>14.3f}{:>10.2f}{:>6.1f} %  {}, {:.1f} %\n", one.curve.name, power.rows,
-                        power.deepest_mm, power.secant.value, exponentOf(power), 100.0 * power.rms, nameOf(best.form),
-                        100.0 * best.rms);
+                        power.deepest_mm, power.secant.value, powerExponent(power), 100.0 * power.rms,
+                        nameOf(best.form), 100.0 * best.rms);
   }
   if (result.curves.size() > kMaxShown) text += fmt::format("... {} more\n", result.curves.size() - kMaxShown);
   return text;
 }
 
 std::string spreadText(const ForceResult& result) {
-  const std::vector<double> exponents = ofAll(result, ForceForm::power, exponentOf);
+  const std::vector<double> exponents = ofAll(result, ForceForm::power, powerExponent);
   std::string text = "\nmedian over curves, each with numbers of its own\n";
   text += fmt::format("{:<12}{:>8}{:>9}\n", "form", "RMS", "unseen");
   for (const ForceForm form : tissue::kForceForms) {
@@ -112,7 +112,7 @@ Json fitsJson(const std::vector<ForceFit>& fits) {
 }
 
 Json spreadJson(const ForceResult& result) {
-  const std::vector<double> exponents = ofAll(result, ForceForm::power, exponentOf);
+  const std::vector<double> exponents = ofAll(result, ForceForm::power, powerExponent);
   Json json;
   json["exponent"] = {
       {"p10", quantileOf(exponents, 0.1)}, {"median", quantileOf(exponents, 0.5)}, {"p90", quantileOf(exponents, 0.9)}};
@@ -125,12 +125,12 @@ Json spreadJson(const ForceResult& result) {
 
 }  // namespace
 
-const ForceFit& fitOf(const std::vector<ForceFit>& fits, ForceForm form) {
+const ForceFit& findFit(const std::vector<ForceFit>& fits, ForceForm form) {
   return *std::ranges::find(fits, form, &ForceFit::form);
 }
 
 std::string sceneKeys(const ForceResult& result) {
-  const ForceFit& fit = fitOf(result.fits(), result.chosen);
+  const ForceFit& fit = findFit(result.fits(), result.chosen);
   std::string keys = "[tissue]\n";
   const auto number = [&](std::size_t i) { return fit.numbers[i].value; };
   constexpr double kMinExponent = 1.0;  // limit of a scene
@@ -153,7 +153,7 @@ std::string sceneKeys(const ForceResult& result) {
 std::string textOf(const ForceResult& result) {
   std::string text;
   if (result.shared.empty()) {
-    const ForceFit& power = fitOf(result.fits(), ForceForm::power);
+    const ForceFit& power = findFit(result.fits(), ForceForm::power);
     text = fmt::format("{}: {} rows, {:.4g} mm deep\n\n", result.file, power.rows, power.deepest_mm);
     text += fitsText(result.fits(), result.chosen);
   } else {
@@ -168,11 +168,11 @@ std::string textOf(const ForceResult& result) {
   return text;
 }
 
-Json jsonOf(const ForceResult& result) {
-  const ForceFit& power = fitOf(result.fits(), ForceForm::power);
+Json toJson(const ForceResult& result) {
+  const ForceFit& power = findFit(result.fits(), ForceForm::power);
   const ForceFit& best = bestOf(result.fits());
   Json json = {{"file", result.file}, {"free_offset", result.free_offset}};
-  json["p"] = exponentOf(power);
+  json["p"] = powerExponent(power);
   json["p_standard_error"] = power.numbers.front().standard_error;
   json["k_n_per_mm"] = power.secant.value;
   json["reference_depth_mm"] = tissue::kReferenceDepthMm;

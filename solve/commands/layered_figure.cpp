@@ -48,7 +48,7 @@ struct Drawn {
   Look look;
 };
 
-Series curveOf(const Drawn& drawn, const std::vector<double>& shares, double sign, double to_radius_mm) {
+Series makeSeries(const Drawn& drawn, const std::vector<double>& shares, double sign, double to_radius_mm) {
   Series curve{.name = drawn.name, .stroke = drawn.look.stroke, .colour = drawn.look.colour};
   for (std::size_t i = 0; i < shares.size() && drawn.table->radii_mm[i] <= to_radius_mm; ++i) {
     curve.x.push_back(drawn.table->radii_mm[i]);
@@ -61,7 +61,7 @@ Plot downPanel(const std::vector<Drawn>& drawn, double to_radius_mm) {
   Plot plot{.title = "the skin goes down",
             .x = {.label = "distance from the axis at rest", .unit = "mm"},
             .y = {.label = "height of the skin", .unit = "mm"}};
-  for (const Drawn& one : drawn) plot.series.push_back(curveOf(one, one.shape.down, -1.0, to_radius_mm));
+  for (const Drawn& one : drawn) plot.series.push_back(makeSeries(one, one.shape.down, -1.0, to_radius_mm));
   return plot;
 }
 
@@ -69,7 +69,7 @@ Plot outwardPanel(const std::vector<Drawn>& drawn, double to_radius_mm) {
   Plot plot{.title = "the skin goes sideways",
             .x = {.label = "distance from the axis at rest", .unit = "mm"},
             .y = {.label = "away from the axis", .unit = "mm"}};
-  for (const Drawn& one : drawn) plot.series.push_back(curveOf(one, one.shape.outward, 1.0, to_radius_mm));
+  for (const Drawn& one : drawn) plot.series.push_back(makeSeries(one, one.shape.outward, 1.0, to_radius_mm));
   return plot;
 }
 
@@ -111,7 +111,7 @@ Plot widthPanel(const std::vector<NamedTable>& tables) {
                     });
 }
 
-std::vector<Drawn> drawnOf(const std::vector<NamedTable>& tables, const LayeredFigureSettings& settings) {
+std::vector<Drawn> listDrawnShapes(const std::vector<NamedTable>& tables, const LayeredFigureSettings& settings) {
   std::vector<Drawn> drawn;
   if (tables.size() == 1 && !settings.depth_mm) {
     const LayeredTable& table = tables.front().table;
@@ -128,14 +128,14 @@ std::vector<Drawn> drawnOf(const std::vector<NamedTable>& tables, const LayeredF
   return drawn;
 }
 
-std::string noteOf(const std::vector<NamedTable>& tables, const std::vector<Drawn>& drawn) {
+std::string makeFigureNote(const std::vector<NamedTable>& tables, const std::vector<Drawn>& drawn) {
   const LayeredTable& first = tables.front().table;
   std::string note = fmt::format("A rigid sphere of {:.4g} mm.", first.indenter_radius_mm);
   if (tables.size() > 1) {
     note += fmt::format(" The skin at {:.4g} mm.", drawn.front().shape.depth_mm);
-    for (const NamedTable& one : tables) note += fmt::format(" {}: {}.", one.name, stackWords(one.table.stack));
+    for (const NamedTable& one : tables) note += fmt::format(" {}: {}.", one.name, formatStack(one.table.stack));
   } else {
-    note += fmt::format(" Layers: {}.", stackWords(first.stack));
+    note += fmt::format(" Layers: {}.", formatStack(first.stack));
   }
   return note + " Layers are thickness in mm x Young's modulus in kPa, from the skin down to bone.";
 }
@@ -149,13 +149,13 @@ double sharedDepth(const std::vector<NamedTable>& tables) {
 }
 
 figures::Figure layeredFigure(const std::vector<NamedTable>& tables, const LayeredFigureSettings& settings) {
-  const std::vector<Drawn> drawn = drawnOf(tables, settings);
+  const std::vector<Drawn> drawn = listDrawnShapes(tables, settings);
   figures::Figure figure;
   figure.title = settings.title;
   figure.columns = 2;
   figure.panels = {downPanel(drawn, settings.to_radius_mm), outwardPanel(drawn, settings.to_radius_mm),
                    forcePanel(tables), widthPanel(tables)};
-  figure.note = noteOf(tables, drawn);
+  figure.note = makeFigureNote(tables, drawn);
   return figure;
 }
 

@@ -48,7 +48,7 @@ const std::vector<double> kDepthsMm = {0.5, 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 
 /// The sphere stays this far from the bone, as a share of the thickness.
 constexpr double kClosestToBone = 0.1;
 
-std::string listOf(const std::vector<double>& numbers) { return fmt::format("{:.6g}", fmt::join(numbers, ", ")); }
+std::string joinNumbers(const std::vector<double>& numbers) { return fmt::format("{:.6g}", fmt::join(numbers, ", ")); }
 
 std::vector<double> depthsOver(double thickness_mm) {
   std::vector<double> depths = kDepthsMm;
@@ -85,10 +85,10 @@ std::vector<LayeredNode> solvedNodes(const Progress& progress) {
 
 std::string libraryText(const std::vector<LayeredNode>& nodes) {
   std::string text = "// Made by `palpate tissue library --solve`; layered_library.cpp says what stands where.\n";
-  text += fmt::format("constexpr double kThicknessesMm[] = {{{}}};\n", listOf(kThicknessesMm));
-  text += fmt::format("constexpr double kFatShares[] = {{{}}};\n", listOf(kFatShares));
+  text += fmt::format("constexpr double kThicknessesMm[] = {{{}}};\n", joinNumbers(kThicknessesMm));
+  text += fmt::format("constexpr double kFatShares[] = {{{}}};\n", joinNumbers(kFatShares));
   text += "constexpr double kNodes[] = {\n";
-  for (const LayeredNode& node : nodes) text += "    " + listOf(tissue::libraryNumbers(node)) + ",\n";
+  for (const LayeredNode& node : nodes) text += "    " + joinNumbers(tissue::libraryNumbers(node)) + ",\n";
   return text + "};\n";
 }
 
@@ -110,13 +110,13 @@ std::string fingersText(const Progress& progress) {
         numbers.push_back(finger.force_n[d]);
       }
       numbers.front() = static_cast<double>(numbers.size() - 1);
-      rows += "    " + listOf(numbers) + ",\n";
+      rows += "    " + joinNumbers(numbers) + ",\n";
       radii.push_back(finger.radius_mm);
     }
   }
   return "// Made by `palpate tissue library --solve --fingers`; layered_library.cpp says what stands where.\n" +
-         fmt::format("constexpr double kFingerRadiiMm[] = {{{}}};\n", listOf(radii)) +
-         fmt::format("constexpr double kFingerDepthsMm[] = {{{}}};\n", listOf(kDepthsMm)) +
+         fmt::format("constexpr double kFingerRadiiMm[] = {{{}}};\n", joinNumbers(radii)) +
+         fmt::format("constexpr double kFingerDepthsMm[] = {{{}}};\n", joinNumbers(kDepthsMm)) +
          "constexpr double kFingerForces[] = {\n" + rows + "};\n";
 }
 
@@ -157,7 +157,7 @@ std::string packedRow(std::span<const float> roots, double scale) {
   return text;
 }
 
-std::string packedRowsOf(const tissue::PressField& field) {
+std::string formatPackedRows(const tissue::PressField& field) {
   const std::size_t size = field.radii_mm.size() * field.depths_mm.size();
   std::string text;
   for (std::size_t row = 0; row < field.rows_mm.size(); ++row) {
@@ -199,11 +199,11 @@ std::string fieldsText(const Progress& progress) {
       patterns += fmt::format("{{{:.4g}, {:.3g}}}, ", pattern.contact_radius_mm, pattern.exponent);
     }
     patterns += "\n    ";
-    rows += packedRowsOf(field);
+    rows += formatPackedRows(field);
   }
   return "// Made by `palpate tissue library --solve --field`; library_fields.cpp says what stands where.\n" +
-         fmt::format("constexpr double kFieldRadiiMm[] = {{{}}};\n", listOf(radii)) +
-         fmt::format("constexpr double kFieldDepthsMm[] = {{{}}};\n", listOf(all_depths)) +
+         fmt::format("constexpr double kFieldRadiiMm[] = {{{}}};\n", joinNumbers(radii)) +
+         fmt::format("constexpr double kFieldDepthsMm[] = {{{}}};\n", joinNumbers(all_depths)) +
          fmt::format("constexpr ShippedField kFields[] = {{{}}};\n", sizes) +
          fmt::format("constexpr PressurePattern kFieldPatterns[] = {{\n    {}}};\n", patterns) +
          "constexpr ShippedRow kFieldRows[] = {\n" + rows + "};\n";

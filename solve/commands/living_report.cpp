@@ -19,7 +19,7 @@ using lab::LivingFigures;
 using lab::LivingTest;
 
 /// The tests of one half, and the model's values for them.
-LivingFigures halfOf(const std::vector<LivingTest>& tests, const std::vector<double>& n_per_mm, int rest) {
+LivingFigures computeHalfFigures(const std::vector<LivingTest>& tests, const std::vector<double>& n_per_mm, int rest) {
   std::vector<LivingTest> half;
   std::vector<double> stiffness;
   for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -73,8 +73,8 @@ LivingReport judgeLiving(const std::filesystem::path& list_or_folder, const Prog
         std::pair{LimbModel::relaxed_limb, &result.relaxed_limb}}) {
     const auto third = [&](std::string_view stage, double share) { report(progress, stage, done + share / 3.0); };
     const std::vector<double> n_per_mm = lab::probeStiffnesses(living.tests, model, third);
-    halves->odd = halfOf(living.tests, n_per_mm, 1);
-    halves->even = halfOf(living.tests, n_per_mm, 0);
+    halves->odd = computeHalfFigures(living.tests, n_per_mm, 1);
+    halves->even = computeHalfFigures(living.tests, n_per_mm, 0);
     done += 1.0 / 3.0;
   }
   return result;

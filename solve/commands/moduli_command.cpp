@@ -13,11 +13,11 @@ namespace palpate::app {
 
 namespace {
 
-std::string spreadWords(double low, double high) {
+std::string formatRange(double low, double high) {
   return low == high ? readableNumber(low) : readableNumber(low) + " to " + readableNumber(high);
 }
 
-std::string sourceWords(std::string_view source, std::string_view doubt) {
+std::string formatSource(std::string_view source, std::string_view doubt) {
   std::string words(source);
   if (!doubt.empty()) words += (words.empty() ? "" : "; ") + std::string(doubt);
   return words;
@@ -26,14 +26,14 @@ std::string sourceWords(std::string_view source, std::string_view doubt) {
 std::string moduliText() {
   std::string text = fmt::format("{:<8} {:>14}  {}\n", "tissue", "kPa", "how: source");
   for (const tissue::PublishedModulus& modulus : tissue::publishedModuli()) {
-    text += fmt::format("{:<8} {:>14} {} {}: {}\n", modulus.tissue, spreadWords(modulus.low_kpa, modulus.high_kpa),
-                        modulus.is_default ? "*" : " ", modulus.how, sourceWords(modulus.source, modulus.doubt));
+    text += fmt::format("{:<8} {:>14} {} {}: {}\n", modulus.tissue, formatRange(modulus.low_kpa, modulus.high_kpa),
+                        modulus.is_default ? "*" : " ", modulus.how, formatSource(modulus.source, modulus.doubt));
   }
   text += "\n* the default. Young's modulus at rest.\n";
   text += std::string(tissue::whatModuliMean()) + "\n";
   text += fmt::format("\n{:<18} {:>14}  {}\n", "friction", "coefficient", "how: source");
   for (const tissue::PublishedFriction& friction : tissue::publishedFriction()) {
-    text += fmt::format("{:<18} {:>14}  {}: {}\n", friction.surface, spreadWords(friction.low, friction.high),
+    text += fmt::format("{:<18} {:>14}  {}: {}\n", friction.surface, formatRange(friction.low, friction.high),
                         friction.how, friction.source);
   }
   text += fmt::format("\n{:<18} {:>6} {:>9}  {}\n", "preset", "still", "slipping", "why");

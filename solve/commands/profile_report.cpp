@@ -19,7 +19,7 @@ using tissue::ProfileForm;
 std::size_t indexOf(ProfileForm form) { return static_cast<std::size_t>(form); }
 
 /// Over the depths.
-double worstOf(const ProfileResult& result, ProfileForm form, double ProfileFit::*miss) {
+double worstOverDepths(const ProfileResult& result, ProfileForm form, double ProfileFit::*miss) {
   double worst = 0.0;
   for (const auto& of_depth : result.fits) worst = std::max(worst, of_depth[indexOf(form)].*miss);
   return worst;
@@ -30,9 +30,10 @@ std::string formsText(const ProfileResult& result) {
                                  result.profiles.size());
   for (const ProfileForm form : tissue::kProfileForms) {
     text += fmt::format("{:<15}{:>8.2f} %{:>8.2f} %{:>8.1f} %{}\n", nameOf(form),
-                        100.0 * worstOf(result, form, &ProfileFit::rms),
-                        100.0 * worstOf(result, form, &ProfileFit::unseen_rms),
-                        100.0 * worstOf(result, form, &ProfileFit::largest_miss), form == result.chosen ? "  <-" : "");
+                        100.0 * worstOverDepths(result, form, &ProfileFit::rms),
+                        100.0 * worstOverDepths(result, form, &ProfileFit::unseen_rms),
+                        100.0 * worstOverDepths(result, form, &ProfileFit::largest_miss),
+                        form == result.chosen ? "  <-" : "");
   }
   return text;
 }
@@ -115,9 +116,9 @@ std::string textOf(const ProfileResult& result) {
   return text;
 }
 
-Json jsonOf(const ProfileResult& result) {
+Json toJson(const ProfileResult& result) {
   Json json = {{"file", result.file}, {"chosen", nameOf(result.chosen)}};
-  json["rms_worst"] = worstOf(result, result.chosen, &ProfileFit::rms);
+  json["rms_worst"] = worstOverDepths(result, result.chosen, &ProfileFit::rms);
   json["depths"] = Json::array();
   for (std::size_t i = 0; i < result.profiles.size(); ++i) {
     Json depth = {{"depth_mm", result.profiles[i].depth_mm}, {"places", result.profiles[i].radius_mm.size()}};

@@ -105,7 +105,7 @@ std::string radiusText(const std::optional<double>& radius_mm) {
 
 std::string tableText(const NamedTable& one) {
   const LayeredTable& table = one.table;
-  std::string text = fmt::format("{}: {}", one.name, stackWords(table.stack));
+  std::string text = fmt::format("{}: {}", one.name, formatStack(table.stack));
   if (!table.stack.layers.empty()) text += fmt::format(" (mm x kPa), {:.4g} mm in all", totalThickness(table.stack));
   text += fmt::format(", sphere of {:.4g} mm\n", table.indenter_radius_mm);
   text += "   depth    skin   force   secant  touches  half at  tenth at   bulge  drawn in  pushed out\n";

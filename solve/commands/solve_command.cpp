@@ -97,7 +97,7 @@ elements::Inclusion lumpFrom(const std::string& words) {
   throw Error(fmt::format("--lump {}: a lump is DIAMETER:DEPTH:MODULUS, such as 10mm:6mm:60kPa", oneLine(words)));
 }
 
-Json jsonOf(const elements::StackSolution& solution) {
+Json toJson(const elements::StackSolution& solution) {
   const elements::PressSolution& press = solution.press;
   Json json = {{"seconds", solution.seconds}};
   for (const char* key : {"depths", "force_n", "surface_mm", "contact_radius_mm"}) {
@@ -201,7 +201,7 @@ void runSolve(const SolveArguments& arguments) {
 
   const FinishesInOrder in_order;
   ProgressLine progress;
-  const auto stop = [] { return endAskedBy() != 0; };
+  const auto stop = [] { return endingSignal() != 0; };
   elements::StackSolution solution = elements::solveStack(stack, settings, progress.display(), stop);
   if (arguments.fingers && !stop()) {
     solution.press.table.fingers = elements::solveFingers(stack, settings.press, progress.display(), stop);
@@ -209,7 +209,7 @@ void runSolve(const SolveArguments& arguments) {
   progress.clear();
   const elements::PressSolution& press = solution.press;
   if (!press.table.shapes.empty()) writeResults(arguments, solution);
-  fmt::print("{}", arguments.json ? jsonDump(jsonOf(solution), 2) + "\n" : textOf(solution));
+  fmt::print("{}", arguments.json ? jsonDump(toJson(solution), 2) + "\n" : textOf(solution));
   if (press.stopped_by.empty()) return;
   say(fmt::format("palpate: solved to {:.4g} of {:.4g} mm: {}\n", press.converged_to_mm,
                   settings.press.depths_mm.back(), press.stopped_by));

@@ -35,7 +35,7 @@ std::vector<double> numbersIn(const Json& object, const char* key, const std::st
   return found->get<std::vector<double>>();
 }
 
-tissue::LayerStack stackOf(const Json& json, const std::string& where, const std::filesystem::path& file) {
+tissue::LayerStack parseStack(const Json& json, const std::string& where, const std::filesystem::path& file) {
   const auto found = json.find("layers_mm_kPa");
   if (found == json.end() || !found->is_array())
     fail(file, fmt::format("{}: \"layers_mm_kPa\" must be a list of [mm, kPa]", where));
@@ -53,10 +53,10 @@ tissue::LayerStack stackOf(const Json& json, const std::string& where, const std
   return stack;
 }
 
-FemCase caseOf(const Json& json, const std::string& where, std::size_t radii, const std::filesystem::path& file) {
+FemCase parseCase(const Json& json, const std::string& where, std::size_t radii, const std::filesystem::path& file) {
   FemCase one;
   one.name = json.contains("name") && json["name"].is_string() ? json["name"].get<std::string>() : where;
-  one.stack = stackOf(json, where, file);
+  one.stack = parseStack(json, where, file);
   one.truth.depth_mm = numberIn(json, "depth", where, file);
   one.truth.surface_mm = numberIn(json, "u0", where, file);
   one.truth.force_n = numberIn(json, "force_N", where, file);
@@ -101,12 +101,12 @@ FemCases parseFemCases(std::string_view text, const std::filesystem::path& file)
                                            numberIn(one, "depth", where, file), friction));
       continue;
     }
-    cases.cases.push_back(caseOf(one, where, cases.radii_mm.size(), file));
+    cases.cases.push_back(parseCase(one, where, cases.radii_mm.size(), file));
   }
   return cases;
 }
 
-FemCases casesOf(const tissue::LayeredTable& table, const std::string& name) {
+FemCases toFemCases(const tissue::LayeredTable& table, const std::string& name) {
   FemCases cases{table.radii_mm, {}, {}};
   for (const tissue::PressedShape& shape : table.shapes) cases.cases.push_back({name, table.stack, shape});
   return cases;

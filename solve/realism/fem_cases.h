@@ -35,6 +35,6 @@ FemCases readFemCases(const std::filesystem::path& file);
 FemCases parseFemCases(std::string_view text, const std::filesystem::path& file);
 
 /// The cases that a table holds, one a depth.
-FemCases casesOf(const tissue::LayeredTable& table, const std::string& name);
+FemCases toFemCases(const tissue::LayeredTable& table, const std::string& name);
 
 }  // namespace palpate::lab

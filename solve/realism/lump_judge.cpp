@@ -21,7 +21,7 @@ constexpr double kLargestMm = 14.0;  // whose extra force is compared
 constexpr double kShallowMm = 3.5;   // depth of the top
 constexpr double kMnPerN = 1e3;
 
-double diameterOf(const tissue::LumpShape& lump) { return 2.0 * lump.half_axes_mm[0]; }
+double lumpDiameter(const tissue::LumpShape& lump) { return 2.0 * lump.half_axes_mm[0]; }
 
 /// A stack as the product knows it.
 struct KnownStack {
@@ -119,14 +119,14 @@ LumpFindings::One judgeCase(const LumpCase& one, const KnownStack& known, const 
   const tissue::WeightedField whole = known.whole();
   const tissue::LumpEnergy energy(one.lump, known.stack, std::span(&whole, 1));
   const tissue::PressureForm form(std::span(&whole, 1));
-  const bool small = diameterOf(one.lump) <= kSmallMm;
+  const bool small = lumpDiameter(one.lump) <= kSmallMm;
   LumpFindings::One worst{.name = one.name};
   for (const LumpPress& press : one.presses) {
     if (press.depth_mm < kLeastDepthMm) continue;
     const double extra = energy.at(0.0, press.depth_mm).d_depth;
     const double truth = press.force_n - press.force_without_n;
     worst.force_percent = std::max(worst.force_percent, 100.0 * std::abs(extra - truth) / press.force_n);
-    if (diameterOf(one.lump) <= kLargestMm && std::abs(truth) > 0.02 * press.force_without_n)
+    if (lumpDiameter(one.lump) <= kLargestMm && std::abs(truth) > 0.02 * press.force_without_n)
       findings.extra_ratios.push_back(extra / truth);
     if (!press.pressure_kpa.empty()) {
       const Rings rings =
@@ -184,7 +184,7 @@ Spread judgeField(const LumpCases& cases, const std::vector<KnownStack>& known) 
     const double model = ballEnergy(stack, entry, static_cast<std::size_t>(press - depths.begin()));
     errors.push_back(100.0 * std::abs(model / truth - 1.0));
   }
-  return spreadOf(std::move(errors));
+  return computeSpread(std::move(errors));
 }
 
 /// The same mesh and lump with the tip over its middle.
@@ -224,20 +224,20 @@ void judgeBeside(const LumpCases& cases, const std::vector<KnownStack>& known, L
   }
 }
 
-double meanOf(const std::vector<double>& values) {
+double meanValue(const std::vector<double>& values) {
   return values.empty() ? 0.0 : std::reduce(values.begin(), values.end()) / static_cast<double>(values.size());
 }
 
 }  // namespace
 
-Spread spreadOf(std::vector<double> values) {
+Spread computeSpread(std::vector<double> values) {
   if (values.empty()) return {};
   std::ranges::sort(values);
   const auto at = [&](double share) {
     const double rank = std::ceil(share * static_cast<double>(values.size()) - 1e-9);
     return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
   };
-  return {meanOf(values), at(0.9), at(0.95), values.back(), values.size()};
+  return {meanValue(values), at(0.9), at(0.95), values.back(), values.size()};
 }
 
 LumpFindings judgeLumps(const LumpCases& cases, const Progress& progress) {
@@ -251,13 +251,13 @@ LumpFindings judgeLumps(const LumpCases& cases, const Progress& progress) {
   Gathered all;
   for (const LumpCase& one : cases.cases)
     findings.cases.push_back(judgeCase(one, known[one.stack], cases.surface_radii_mm, findings, all));
-  findings.force = spreadOf(std::move(all.force));
-  findings.force_small = spreadOf(std::move(all.force_small));
-  findings.pressure = spreadOf(std::move(all.pressure));
-  findings.pressure_small = spreadOf(std::move(all.pressure_small));
-  findings.surface_small = spreadOf(std::move(all.surface_small));
-  findings.surface_large = spreadOf(std::move(all.surface_large));
-  if (!all.shallow.empty()) findings.pressure_gain = meanOf(all.shallow) / meanOf(all.shallow_scaled);
+  findings.force = computeSpread(std::move(all.force));
+  findings.force_small = computeSpread(std::move(all.force_small));
+  findings.pressure = computeSpread(std::move(all.pressure));
+  findings.pressure_small = computeSpread(std::move(all.pressure_small));
+  findings.surface_small = computeSpread(std::move(all.surface_small));
+  findings.surface_large = computeSpread(std::move(all.surface_large));
+  if (!all.shallow.empty()) findings.pressure_gain = meanValue(all.shallow) / meanValue(all.shallow_scaled);
   findings.field = judgeField(cases, known);
   judgeBeside(cases, known, findings);
   return findings;

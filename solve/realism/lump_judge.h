@@ -87,7 +87,7 @@ struct Spread {
   double worst = 0.0;
   std::size_t count = 0;
 };
-Spread spreadOf(std::vector<double> values);
+Spread computeSpread(std::vector<double> values);
 
 /// All for presses of 2 mm and more. "Small": lumps to 12 mm.
 struct LumpFindings {

@@ -39,7 +39,7 @@ mesh::TriangleMesh flatSkin() {
   return mesh;
 }
 
-Vec3 positionOf(const deform::DeformedSurface& surface, Index v) {
+Vec3 vertexPosition(const deform::DeformedSurface& surface, Index v) {
   return {surface.position(0)[v], surface.position(1)[v], surface.position(2)[v]};
 }
 
@@ -79,7 +79,7 @@ ShapeError shapeError(const scene::World& world, const deform::DeformedSurface& 
     const Vec3 rest = world.body->skin.positions[v];
     const double r = rest.head<2>().norm();
     if (r > kJudgedMm) continue;
-    const Vec3 moved = positionOf(surface, v) - rest;
+    const Vec3 moved = vertexPosition(surface, v) - rest;
     const Vec3 out = r > 0.0 ? Vec3(rest.x() / r, rest.y() / r, 0.0) : Vec3(Vec3::Zero());
     const double down = (-moved.z() - u0 * at(radii, truth.truth.down, r)) / u0;
     const double outward = (moved.dot(out) - u0 * at(radii, truth.truth.outward, r)) / u0;
@@ -138,7 +138,7 @@ double dragError(const scene::World& world, const elements::DragField& truth) {
   for (Index v = 0; v < world.body->skin.positions.size(); ++v) {
     const Vec3 rest = world.body->skin.positions[v];
     if (std::abs(rest.x()) > kJudgedDragMm || std::abs(rest.y()) > kJudgedDragMm) continue;
-    const double moved = positionOf(skin.surface(), v).x() - rest.x();
+    const double moved = vertexPosition(skin.surface(), v).x() - rest.x();
     const double error = moved - truth.at(std::abs(rest.x()), std::abs(rest.y()));
     sum += error * error;
     ++count;

@@ -79,7 +79,7 @@ std::vector<JudgedStack> stacksOfBody(const Progress& progress) {
     const JudgedPlace& place = places[i];
     const auto [table, drag] =
         solved(place.stack, {2.0, 5.0, 7.5, 10.0}, place.name, part(progress, i, places.size(), place.name));
-    JudgedStack judged{.name = place.name, .truth = casesOf(table, place.name), .drag = drag};
+    JudgedStack judged{.name = place.name, .truth = toFemCases(table, place.name), .drag = drag};
     judged.tissue = place.tissue;
     judged.thickness_mm = place.thickness_mm;
     stacks.push_back(std::move(judged));

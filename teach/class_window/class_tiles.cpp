@@ -31,7 +31,7 @@ ImU32 inkOfText(float opacity = 1.0f) {
   return ImGui::ColorConvertFloat4ToU32(ink);
 }
 
-std::string kindWords(training::SessionKind kind) {
+std::string sessionKindName(training::SessionKind kind) {
   switch (kind) {
     case training::SessionKind::practice:
       return tr("practice");
@@ -55,16 +55,16 @@ std::string kindWords(training::SessionKind kind) {
   return tr("free");
 }
 
-std::string ageWords(const Tile& tile) {
+std::string formatDataAge(const Tile& tile) {
   if (!tile.online) return tr("offline");
   if (!tile.age_s) return tr("no data yet");
   if (*tile.age_s < 2.0) return fmt::format("{:.1f} s", WrittenNumber{*tile.age_s});
   return *tile.age_s < 100.0 ? trf("{:.0f} s old", *tile.age_s) : tr("long ago");
 }
 
-std::string trialWords(const classroom::StationState& state) {
+std::string describeProgress(const classroom::StationState& state) {
   if (state.screen == training::Screen::trial && state.trial > 0) {
-    return trf("{}, trial {} of {}", kindWords(state.kind), state.trial, state.trials_at_most);
+    return trf("{}, trial {} of {}", sessionKindName(state.kind), state.trial, state.trials_at_most);
   }
   switch (state.screen) {
     case training::Screen::device_check:
@@ -72,11 +72,11 @@ std::string trialWords(const classroom::StationState& state) {
     case training::Screen::familiarisation:
       return tr("familiarisation");
     case training::Screen::instruction:
-      return trf("{}, instruction", kindWords(state.kind));
+      return trf("{}, instruction", sessionKindName(state.kind));
     case training::Screen::feedback:
-      return trf("{}, feedback", kindWords(state.kind));
+      return trf("{}, feedback", sessionKindName(state.kind));
     case training::Screen::block_summary:
-      return trf("{}, block done", kindWords(state.kind));
+      return trf("{}, block done", sessionKindName(state.kind));
     case training::Screen::free_exploration:
       return tr("free exploration");
     default:
@@ -88,7 +88,7 @@ bool isTelling(const classroom::StationState& state) {
   return training::ThresholdSummary{.median = state.threshold, .low = state.low, .high = state.high}.telling();
 }
 
-std::string levelWords(const classroom::StationState& state) {
+std::string formatLevel(const classroom::StationState& state) {
   std::string words = state.change > 0.0 ? trf("level {:.0f} %", 100.0 * state.change) : std::string();
   if (state.threshold > 0.0) {
     words += (words.empty() ? "" : ", ") +
@@ -112,7 +112,7 @@ void forceBar(const Tile& tile, float width, float height) {
 }
 
 void nameAndAge(const Tile& tile) {
-  const std::string age = ageWords(tile);
+  const std::string age = formatDataAge(tile);
   ImGui::TextUnformatted(tile.station.c_str());
   ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(age.c_str()).x);
   ImGui::TextDisabled("%s", age.c_str());
@@ -125,7 +125,7 @@ void needLine(Need need) {
 }
 
 void trialLine(const classroom::StationState& state) {
-  const std::string trial = trialWords(state);
+  const std::string trial = describeProgress(state);
   ImGui::TextUnformatted((state.paused ? trf("{}, paused", trial) : trial).c_str());
 }
 
@@ -144,7 +144,7 @@ void tileInside(const Tile& tile, bool compact) {
   }
   const bool needs = tile.need != Need::none;
   if (!compact || !needs) trialLine(*tile.state);
-  if (!compact) ImGui::TextUnformatted(levelWords(*tile.state).c_str());
+  if (!compact) ImGui::TextUnformatted(formatLevel(*tile.state).c_str());
   if (compact && needs) needLine(tile.need);
   forceLine(tile);
   if (!compact && needs) needLine(tile.need);
@@ -307,7 +307,7 @@ std::optional<classroom::Command> openedStation(const OpenedStation& station, Cl
   const Tile& tile = station.tile;
   ImGui::Text("%s", tile.station.c_str());
   ImGui::SameLine();
-  ImGui::TextDisabled("%s", fmt::format("{}, {}", tile.status.device, ageWords(tile)).c_str());
+  ImGui::TextDisabled("%s", fmt::format("{}, {}", tile.status.device, formatDataAge(tile)).c_str());
   if (tile.status.safety != "ok" && !tile.status.safety.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, kUrgent);
     const std::string& safety = tile.status.safety;
@@ -315,7 +315,7 @@ std::optional<classroom::Command> openedStation(const OpenedStation& station, Cl
     ImGui::PopStyleColor();
   }
   if (tile.state) {
-    ImGui::TextUnformatted(trialWords(*tile.state).c_str());
+    ImGui::TextUnformatted(describeProgress(*tile.state).c_str());
     if (tile.state->change > 0.0) {
       ImGui::SameLine();
       ImGui::TextDisabled("%s", trf("level {:.0f} %", 100.0 * tile.state->change).c_str());

@@ -52,7 +52,7 @@ class BackPainting {
     canvas.height = target_.height();
     target_.bind();
     const view::Painted painted = painter.paint({}, skin.surface(), settings, canvas);
-    const view::Frustum frustum = view::frustumOf(painted.eyes.screen, painted.eyes.middle, 1.0, 1e6);
+    const view::Frustum frustum = view::makeFrustum(painted.eyes.screen, painted.eyes.middle, 1.0, 1e6);
     picture_.texture = target_.texture();
     picture_.aspect = kBackAspect;
     picture_.seen_at = [frustum](const Vec3& place) -> std::optional<Vec2> { return view::seenAt(frustum, place); };
@@ -83,7 +83,7 @@ void topRow(const classroom::ClassWatch& watch, const std::vector<classroom::Til
   ImGui::TextDisabled("- %s", watch.trouble().c_str());
 }
 
-std::string toldOf(const classroom::Command& command, bool sent) {
+std::string commandOutcome(const classroom::Command& command, bool sent) {
   if (!sent) return tr("could not be sent");
   switch (command.kind) {
     case classroom::CommandKind::pause:
@@ -105,7 +105,7 @@ void rightColumn(classroom::ClassWatch& watch, const BackPicture& back, ClassVie
     if (tile) {
       const std::vector<classroom::ForcePoint> forces = watch.forces(view.opened);
       if (const auto command = openedStation({*tile, forces, back}, view)) {
-        view.told = toldOf(*command, watch.ask(view.opened, *command));
+        view.told = commandOutcome(*command, watch.ask(view.opened, *command));
       }
     } else {
       ImGui::TextDisabled("%s", tr("Choose a station to see its hand."));

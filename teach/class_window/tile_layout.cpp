@@ -30,7 +30,7 @@ int mostColumns(const TileRoom& room, const TileSize& least) {
   return std::max(1, static_cast<int>((room.width + room.gap) / (least.width + room.gap)));
 }
 
-std::optional<TileLayout> largestOf(const TileRoom& room, std::size_t count, const TileSize& least) {
+std::optional<TileLayout> findLargestLayout(const TileRoom& room, std::size_t count, const TileSize& least) {
   const int most = std::min(static_cast<int>(count), mostColumns(room, least));
   std::optional<TileLayout> best;
   float best_share = 0.0f;
@@ -49,9 +49,9 @@ std::optional<TileLayout> largestOf(const TileRoom& room, std::size_t count, con
 TileLayout tilesIn(const TileRoom& room, std::size_t count) {
   count = std::max<std::size_t>(count, 1);
   TileLayout layout;
-  if (const auto full = largestOf(room, count, kFull)) {
+  if (const auto full = findLargestLayout(room, count, kFull)) {
     layout = *full;
-  } else if (const auto compact = largestOf(room, count, kCompact)) {
+  } else if (const auto compact = findLargestLayout(room, count, kCompact)) {
     layout = *compact;
     layout.compact = true;
   } else {

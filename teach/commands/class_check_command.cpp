@@ -50,7 +50,7 @@ bool within(double seconds, const std::function<bool()>& so) {
   return so();
 }
 
-Finding lifeOf(const classroom::CertificateLife& life) {
+Finding reportCertificateLife(const classroom::CertificateLife& life) {
   Finding finding{fmt::format("certificate of {}", life.whose), life.days_left >= 0, {}};
   finding.detail = finding.good ? fmt::format("valid for {} days", life.days_left) : "no longer valid";
   finding.warns = life.days_left <= classroom::kWarnDays;
@@ -60,7 +60,7 @@ Finding lifeOf(const classroom::CertificateLife& life) {
 
 Finding checkCertificate(const std::string& whose, const std::filesystem::path& file) {
   try {
-    return lifeOf({whose, file, classroom::daysLeft(readFile(file, kMaxPemBytes))});
+    return reportCertificateLife({whose, file, classroom::daysLeft(readFile(file, kMaxPemBytes))});
   } catch (const Error& error) {
     return {fmt::format("certificate of {}", whose), false, error.what()};
   }
@@ -90,13 +90,13 @@ Finding checkConfiguration(const classroom::ClassFolder& folder) {
 }
 
 Finding checkConnection(const Member& member) {
-  const MqttLink link(classroom::linkOf(member), {});
+  const MqttLink link(classroom::makeMqttSettings(member), {});
   const bool good = within(kPatienceS, [&] { return link.connected(); });
   return {fmt::format("{} connects to {}:{}", member.name, member.host, member.port), good, link.trouble()};
 }
 
 Finding checkShutOut(const Member& member) {
-  MqttSettings settings = classroom::linkOf(member);
+  MqttSettings settings = classroom::makeMqttSettings(member);
   settings.certificate.clear();
   settings.key.clear();
   settings.client_id += "-nobody";
@@ -108,9 +108,9 @@ Finding checkShutOut(const Member& member) {
 /// Sends a question to the collector and its database, and expects an acknowledgement.
 Finding checkCollector(const Member& member) {
   Finding finding{"what a station records reaches the database"};
-  const training::Uuid key = training::uuidOf(training::utcMs(), training::systemRandom());
+  const training::Uuid key = training::makeUuidV7(training::utcMs(), training::systemRandom());
   std::atomic<bool> acknowledged = false;
-  MqttSettings settings = classroom::linkOf(member);
+  MqttSettings settings = classroom::makeMqttSettings(member);
   settings.subscriptions = {{classroom::topicText({member.class_id, member.name, "ack"}), 1}};
   MqttLink link(settings, {[&](std::string_view, std::string_view text) {
                              const auto keys = classroom::parseAck(text);
@@ -132,7 +132,8 @@ Finding checkCollector(const Member& member) {
 /// Uses a certificate of its own: a certificate allows one connection, and no member may lose theirs to the check.
 std::vector<Finding> findingsOfClass(const classroom::ClassFolder& folder) {
   std::vector<Finding> findings;
-  for (const classroom::CertificateLife& life : classroom::certificateLives(folder)) findings.push_back(lifeOf(life));
+  for (const classroom::CertificateLife& life : classroom::certificateLives(folder))
+    findings.push_back(reportCertificateLife(life));
   findings.push_back(checkKeys(keysIn(folder.folder)));
   findings.push_back(checkConfiguration(folder));
   if (!std::filesystem::exists(folder.checker() / "checker.toml")) {

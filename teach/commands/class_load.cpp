@@ -31,7 +31,7 @@ constexpr int kTrialsOfBlock = 40;
 constexpr auto kLiveEvery = std::chrono::milliseconds(100);
 
 double steadyNowS() { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); }
-training::Uuid newId() { return training::uuidOf(training::utcMs(), training::systemRandom()); }
+training::Uuid newId() { return training::makeUuidV7(training::utcMs(), training::systemRandom()); }
 
 /// A trainee who answers at random: the class counts rows, whatever is in them.
 class LoadedStation {
@@ -76,7 +76,7 @@ class LoadedStation {
     block_.state_json += fmt::format("[{},{}]", trial.site_true, trial.site_answer);
     const training::Uuid id = trial.id;
     const double trial_change = trial.change;
-    store_.keep(std::vector<training::Row>{block_, std::move(trial)});
+    store_.save(std::vector<training::Row>{block_, std::move(trial)});
     classroom::StationState state;
     state.session = session_.id;
     state.trainee = session_.trainee_id;
@@ -109,11 +109,11 @@ class LoadedStation {
     block_.id = newId();
     block_.session_id = session_.id;
     block_.protocol_id = protocol.id;
-    store_.keep(training::ClassRow{.id = member.class_id});
-    store_.keep(training::StationRow{member.station_id, member.name, "", "none", 0});
-    store_.keep(trainee);
-    store_.keep(protocol);
-    store_.keep(std::vector<training::Row>{session_, block_});
+    store_.save(training::ClassRow{.id = member.class_id});
+    store_.save(training::StationRow{member.station_id, member.name, "", "none", 0});
+    store_.save(trainee);
+    store_.save(protocol);
+    store_.save(std::vector<training::Row>{session_, block_});
   }
 
   Store store_;
@@ -132,7 +132,7 @@ const std::string& loadedName(const classroom::ClassFolder& folder, const ClassL
 }
 
 /// An instructor's certificate of its own: several loads watch at once, and a certificate is one connection.
-classroom::Member viewerOf(const classroom::ClassFolder& folder, const ClassLoadSettings& load) {
+classroom::Member ensureInstructor(const classroom::ClassFolder& folder, const ClassLoadSettings& load) {
   const int number = std::min(classroom::kMaxInstructors, 2 + (load.first - 1) / std::max(1, load.stations));
   while (!std::filesystem::exists(folder.instructor(number) / "instructor.toml")) classroom::addInstructor(folder);
   return classroom::readMember(folder.instructor(number));
@@ -142,7 +142,7 @@ classroom::Member viewerOf(const classroom::ClassFolder& folder, const ClassLoad
 class LoadViewer {
  public:
   LoadViewer(const classroom::ClassFolder& folder, const ClassLoadSettings& load) {
-    classroom::MqttSettings settings = classroom::linkOf(viewerOf(folder, load));
+    classroom::MqttSettings settings = classroom::makeMqttSettings(ensureInstructor(folder, load));
     for (int i = 0; i < load.stations; ++i) {
       const std::string& name = loadedName(folder, load, i);
       settings.subscriptions.push_back({classroom::topicText({folder.class_id, name, "live"}), 0});
@@ -178,7 +178,7 @@ class LoadViewer {
 
 using Stations = std::vector<std::unique_ptr<LoadedStation>>;
 
-Stations stationsOf(const classroom::ClassFolder& folder, const ClassLoadSettings& settings) {
+Stations makeStations(const classroom::ClassFolder& folder, const ClassLoadSettings& settings) {
   Stations stations;
   for (int i = 0; i < settings.stations; ++i) {
     const std::string& name = loadedName(folder, settings, i);
@@ -243,7 +243,7 @@ ClassLoadReport runClassLoad(const classroom::ClassFolder& folder, const ClassLo
   }
   ClassLoadReport report;
   report.stations = settings.stations;
-  Stations stations = stationsOf(folder, settings);
+  Stations stations = makeStations(folder, settings);
   LoadViewer viewer(folder, settings);
   while (!(viewer.connected() && allConnected(stations)) && going(0.0)) std::this_thread::sleep_for(kLiveEvery);
   const auto started = Clock::now();

@@ -78,7 +78,7 @@ void runLoad(const ClassLoadArguments& arguments) {
   ProgressLine progress;
   const ClassLoadReport report = runClassLoad(folder, settings, [&](double done_s) {
     progress.show("class", done_s / settings.seconds);
-    return endAskedBy() == 0;
+    return endingSignal() == 0;
   });
   progress.clear();
   const double lost =
@@ -120,8 +120,8 @@ class LinkBesideServo {
       constexpr int kAnswerEvery = 120;
       if (picture % kAnswerEvery == 0) {
         training::TraineeRow row;
-        row.id = training::uuidOf(training::utcMs(), training::systemRandom());
-        store_.keep(row);
+        row.id = training::makeUuidV7(training::utcMs(), training::systemRandom());
+        store_.save(row);
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(16));
     }
@@ -151,7 +151,7 @@ void runServoBeside(const ClassLoadArguments& arguments) {
     const LinkBesideServo link(member,
                                std::filesystem::path(arguments.records_folder) / fmt::format("servo{}.results", pair));
     while (!link.connected()) {
-      endIfAsked();
+      throwIfInterrupted();
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
     with.push_back(periodP99Us(*world, arguments.servo_s, progress));
@@ -161,7 +161,7 @@ void runServoBeside(const ClassLoadArguments& arguments) {
     if (alone_first) measure_alone();
     measure_beside(pair);
     if (!alone_first) measure_alone();
-    endIfAsked();
+    throwIfInterrupted();
     ratios.push_back(with.back() / without.back());
   }
   progress.clear();

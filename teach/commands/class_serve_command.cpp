@@ -55,13 +55,13 @@ std::unique_ptr<classroom::RowSink> sinkFor(const ClassServeArguments& arguments
 
 void tryDatabase(classroom::RowSink& sink) {
   try {
-    sink.keep({});
+    sink.save({});
   } catch (const Error& error) {
     say(fmt::format("palpate: the database does not answer yet: {}\n", error.what()));
   }
 }
 
-Json jsonOf(const classroom::CollectorReport& report, bool broker) {
+Json toJson(const classroom::CollectorReport& report, bool broker) {
   return {{"connected", report.connected}, {"database", report.database}, {"broker_runs", broker},
           {"stations", report.stations},   {"rows", report.rows},         {"trials", report.trials},
           {"commits", report.commits},     {"waited", report.waited},     {"refused", report.refused},
@@ -148,7 +148,7 @@ void runClassServe(const ClassServeArguments& arguments) {
   const auto started = Clock::now();
   auto next = started;
   std::string said;
-  while (endAskedBy() == 0 && (arguments.seconds <= 0.0 || secondsSince(started) < arguments.seconds)) {
+  while (endingSignal() == 0 && (arguments.seconds <= 0.0 || secondsSince(started) < arguments.seconds)) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     if (Clock::now() < next) continue;
     next += std::chrono::seconds(1);
@@ -158,12 +158,12 @@ void runClassServe(const ClassServeArguments& arguments) {
       warns_next += kWarnsAgain;
     }
     const classroom::CollectorReport report = collector.report();
-    const std::vector<std::string> lines = collector.takeSaid();
+    const std::vector<std::string> lines = collector.drainReports();
     if (!arguments.json) {
       for (const std::string& line : lines) say(fmt::format("palpate: {}\n", line));
     }
     if (arguments.json) {
-      Json json = jsonOf(report, broker && broker->running());
+      Json json = toJson(report, broker && broker->running());
       json["said"] = lines;
       fmt::print("{}\n", jsonDump(json));
       std::fflush(stdout);

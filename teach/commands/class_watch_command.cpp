@@ -67,7 +67,7 @@ Json boardJson(const classroom::ClassWatch& watch) {
 
 void printBoard(const ClassWatchArguments& arguments, const classroom::ClassWatch& watch) {
   const auto started = Clock::now();
-  while (endAskedBy() == 0) {
+  while (endingSignal() == 0) {
     std::this_thread::sleep_for(std::chrono::seconds(1));
     printReadable(jsonDump(boardJson(watch)) + "\n");
     std::fflush(stdout);
@@ -95,7 +95,7 @@ void runClassWatch(const ClassWatchArguments& arguments) {
   settings.opened = arguments.opened;
   settings.seconds = arguments.seconds;
   settings.picture = arguments.picture;
-  settings.ending = [] { return endAskedBy() != 0; };
+  settings.ending = [] { return endingSignal() != 0; };
   viewer::runClassWindow(watch, settings);
 }
 

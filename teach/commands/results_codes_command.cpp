@@ -25,11 +25,11 @@ struct CodesArguments {
 
 std::vector<std::string> newCodes(int count) {
   std::set<std::string> codes;
-  while (static_cast<int>(codes.size()) < count) codes.insert(training::codeOf(training::systemRandom()[0]));
+  while (static_cast<int>(codes.size()) < count) codes.insert(training::makeTraineeCode(training::systemRandom()[0]));
   return {codes.begin(), codes.end()};
 }
 
-std::string cardOf(const std::string& code, const std::string& class_id) {
+std::string formatCodeCard(const std::string& code, const std::string& class_id) {
   const std::string title = class_id.empty() ? "Palpation training" : "Palpation training, " + class_id;
   return fmt::format("+{0:-<38}+\n| {1:<36} |\n| {2:<36} |\n| {3:<36} |\n| {2:<36} |\n| {4:<36} |\n+{0:-<38}+\n\n", "",
                      title.substr(0, 36), "", "Your code:   " + code, "Keep it: it is how you sign in.");
@@ -40,7 +40,7 @@ void runResultsCodes(const CodesArguments& arguments) {
   if (arguments.json) {
     Json list = Json::array();
     for (const std::string& code : codes) {
-      list.push_back({{"code", code}, {"trainee", training::pseudonymOf(arguments.class_id, code, arguments.key)}});
+      list.push_back({{"code", code}, {"trainee", training::derivePseudonym(arguments.class_id, code, arguments.key)}});
     }
     fmt::print("{}\n", jsonDump(Json{{"class", arguments.class_id}, {"codes", list}}, 2));
     return;
@@ -48,9 +48,9 @@ void runResultsCodes(const CodesArguments& arguments) {
   std::string text = arguments.csv ? "code,pseudonym,class,name (keep this list outside)\n" : "";
   for (const std::string& code : codes) {
     text += arguments.csv
-                ? fmt::format("{},{},{},\n", code, training::pseudonymOf(arguments.class_id, code, arguments.key),
+                ? fmt::format("{},{},{},\n", code, training::derivePseudonym(arguments.class_id, code, arguments.key),
                               arguments.class_id)
-                : cardOf(code, arguments.class_id);
+                : formatCodeCard(code, arguments.class_id);
   }
   fmt::print("{}", text);
 }

@@ -37,7 +37,7 @@ std::string resultsKind(training::SessionKind kind) {
   return tr(words.c_str());
 }
 
-std::size_t trialsOf(Store& store, const SessionRow& session) {
+std::size_t countTrials(Store& store, const SessionRow& session) {
   std::size_t trials = 0;
   for (const BlockRow& block : store.blocks(session.id)) trials += store.trials(block.id).size();
   return trials;
@@ -104,7 +104,7 @@ Store openedResults(const ResultsArguments& arguments) {
 
 TraineeRow traineeCalled(Store& store, const std::string& code_or_id) {
   if (training::codeTyped(code_or_id)) {
-    for (const training::Uuid& id : store.pseudonymsOf(code_or_id)) {
+    for (const training::Uuid& id : store.derivePseudonyms(code_or_id)) {
       if (auto found = store.trainee(id)) return *found;
     }
     throw Error(
@@ -124,11 +124,11 @@ TraineeRow traineeCalled(Store& store, const std::string& code_or_id) {
   throw Error(fmt::format("'{}' is how {} pseudonyms begin; give more of it", oneLine(code_or_id), found.size()));
 }
 
-std::string whenWords(std::int64_t ms) {
+std::string formatUtcTime(std::int64_t ms) {
   return fmt::format("{:%Y-%m-%d %H:%M}", fmt::gmtime(static_cast<std::time_t>(ms / 1000)));
 }
 
-std::string thresholdWords(const BlockRow& block) {
+std::string thresholdText(const BlockRow& block) {
   if (block.method == training::Method::mastery) {
     return block.mastered_change ? trf("level {} %", resultsPercent(*block.mastered_change)) : std::string();
   }
@@ -160,17 +160,23 @@ Json blockJson(const BlockRow& block) {
 Json sessionJson(Store& store, const SessionRow& session) {
   Json blocks = Json::array();
   for (const BlockRow& block : store.blocks(session.id)) blocks.push_back(blockJson(block));
-  return {{"sitting", session.id},        {"trainee", session.trainee_id},      {"kind", wordFor(session.kind)},
-          {"start_ms", session.start_ms}, {"end_ms", session.end_ms},           {"device", session.device},
-          {"file", session.file},         {"trials", trialsOf(store, session)}, {"blocks", blocks}};
+  return {{"sitting", session.id},
+          {"trainee", session.trainee_id},
+          {"kind", wordFor(session.kind)},
+          {"start_ms", session.start_ms},
+          {"end_ms", session.end_ms},
+          {"device", session.device},
+          {"file", session.file},
+          {"trials", countTrials(store, session)},
+          {"blocks", blocks}};
 }
 
 std::string sessionLine(Store& store, const SessionRow& session) {
-  std::string line = fmt::format("{}  {}  {:9}  ", whenWords(session.start_ms), session.trainee_id.substr(0, 8),
+  std::string line = fmt::format("{}  {}  {:9}  ", formatUtcTime(session.start_ms), session.trainee_id.substr(0, 8),
                                  resultsKind(session.kind)) +
-                     trf("{:3} trials", trialsOf(store, session));
+                     trf("{:3} trials", countTrials(store, session));
   for (const BlockRow& block : store.blocks(session.id)) {
-    const std::string measured = thresholdWords(block);
+    const std::string measured = thresholdText(block);
     if (!measured.empty()) line += ", " + measured;
     if (block.verdict != training::Verdict::none)
       line += fmt::format(", {}", tr(std::string(wordFor(block.verdict)).c_str()));

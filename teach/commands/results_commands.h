@@ -51,9 +51,9 @@ training::TraineeRow traineeCalled(training::Store& store, const std::string& co
 /// Help text of the trainee argument.
 inline constexpr const char* kTraineeHelp = "The code on the trainee's card, or the pseudonym (its beginning will do)";
 
-std::string whenWords(std::int64_t ms);  ///< "2026-11-22 10:03", UTC
+std::string formatUtcTime(std::int64_t ms);  ///< "2026-11-22 10:03", UTC
 /// "18 % (13 to 25 %)"; empty: none was measured.
-std::string thresholdWords(const training::BlockRow& block);
+std::string thresholdText(const training::BlockRow& block);
 Json blockJson(const training::BlockRow& block);
 Json sessionJson(training::Store& store, const training::SessionRow& session);
 /// "2026-11-22 10:03  5d79b3cd  pre-test  40 trials, 18 % (13 to 25 %)"

@@ -88,7 +88,7 @@ Json traineeSummaryJson(const TraineeSummary& summary) {
           {"last_ms", summary.last_ms},     {"first", measured(summary.first)}, {"last", measured(summary.last)}};
 }
 
-std::string measuredWords(const std::optional<BlockRow>& block) { return block ? thresholdWords(*block) : "-"; }
+std::string thresholdOrDash(const std::optional<BlockRow>& block) { return block ? thresholdText(*block) : "-"; }
 
 void runResultsTrainee(const ReadingArguments& arguments) {
   useLanguage(arguments.language);
@@ -102,10 +102,10 @@ void runResultsTrainee(const ReadingArguments& arguments) {
     return printResults(json);
   }
   const TraineeRow& row = summary.row;
-  std::string text =
-      fmt::format("{}\n  {}\n  {}\n", row.class_id.empty() ? row.id : trf("{}, class {}", row.id, row.class_id),
-                  trf("{} sessions, {} trials, since {}", summary.sessions, summary.trials, whenWords(row.created_ms)),
-                  trf("first measured {}, last {}", measuredWords(summary.first), measuredWords(summary.last)));
+  std::string text = fmt::format(
+      "{}\n  {}\n  {}\n", row.class_id.empty() ? row.id : trf("{}, class {}", row.id, row.class_id),
+      trf("{} sessions, {} trials, since {}", summary.sessions, summary.trials, formatUtcTime(row.created_ms)),
+      trf("first measured {}, last {}", thresholdOrDash(summary.first), thresholdOrDash(summary.last)));
   for (const SessionRow& session : sessions) text += "  " + sessionLine(store, session);
   printReadable(text);
 }
@@ -119,7 +119,7 @@ void runResultsClass(const ReadingArguments& arguments) {
     json.push_back(traineeSummaryJson(summary));
     text +=
         fmt::format("{}  {:10}  {:3} sessions  {:4} trials  first {:22}  last {}\n", row.id.substr(0, 8), row.class_id,
-                    summary.sessions, summary.trials, measuredWords(summary.first), measuredWords(summary.last));
+                    summary.sessions, summary.trials, thresholdOrDash(summary.first), thresholdOrDash(summary.last));
   }
   if (arguments.results.json) return printResults({{"file", store.file().string()}, {"trainees", json}});
   printReadable(text.empty() ? fmt::format("{}: no trainee yet\n", store.file().string()) : text);

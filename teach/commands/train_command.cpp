@@ -86,9 +86,9 @@ viewer::ViewState readableState(const TrainOptions& options) {
 }
 
 /// Prints the screen's text, one line per change: for tests and for remote help.
-class ScreenTeller {
+class ScreenPrinter {
  public:
-  void tell(const viewer::TrainingMode& training) {
+  void print(const viewer::TrainingMode& training) {
     std::string words;
     for (const std::string& part : viewer::wordsOf(training.screen())) words += " | " + part;
     if (std::exchange(before_, words) == words) return;
@@ -113,21 +113,21 @@ bool trainInWindow(const TrainOptions& options) {
   auto mode = std::make_unique<viewer::TrainingMode>(std::move(of_training));
   const viewer::TrainingMode& training = *mode;
   settings.modes.push_back(std::move(mode));
-  viewer::Viewer viewer(world, readableState(options), std::move(settings), hostOf(window));
+  viewer::Viewer viewer(world, readableState(options), std::move(settings), makeViewerHost(window));
   const FinishesInOrder in_order;
   const StoppedBySignal stopped(viewer.emergencyStop());
-  ScreenTeller teller;
+  ScreenPrinter teller;
   ControlLines controls;
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t, double) {
     if (!options.verbose) return;
-    teller.tell(training);
-    controls.tell(window.contentScale() * viewer.state().state.text_size);
+    teller.print(training);
+    controls.print(window.contentScale() * viewer.state().state.text_size);
   });
   viewer::Messages& messages = viewer.state().messages;
   messages.markRead();
-  viewer.finish(endAskedBy() == 0 ? "done" : nameOfSignal(endAskedBy()));
+  viewer.finish(endingSignal() == 0 ? "done" : nameOfSignal(endingSignal()));
   if (messages.unread() > 0) throw Error(messages.all().back().text);
-  return training.goesBack() && endAskedBy() == 0;
+  return training.goesBack() && endingSignal() == 0;
 }
 
 void showScreens(const TrainOptions& options) {

@@ -41,7 +41,7 @@ void addTrainOptions(Command& command, TrainOptions& options) {
       .add_option("--protocol", options.protocol,
                   "What is trained and tested: vhb, lumps, or a file (docs/howto/training.md)")
       ->capture_default_str();
-  takesOneOf(choiceNames<training::SessionKind>(),
+  restrictTo(choiceNames<training::SessionKind>(),
              command.add_option("--kind", options.kind, "Done at once after signing in (default: chosen)"));
   command.add_option("--class", options.class_id,
                      "The class that codes belong to: a word, or the station's file of `palpate class init`");

@@ -34,8 +34,8 @@ namespace palpate::app {
 
 namespace {
 
-using training::SatThrough;
 using training::SessionKind;
+using training::SessionOutcome;
 /// "2026-01-05T09:00:00Z" or "2026-01-05".
 std::int64_t startMs(const std::string& words) {
   std::tm time{};
@@ -47,14 +47,14 @@ std::int64_t startMs(const std::string& words) {
   return std::int64_t{1000} * ::timegm(&time);
 }
 
-std::string percentWords(double share) { return fmt::format("{:.3g}", 100.0 * share); }
+std::string formatPercent(double share) { return fmt::format("{:.3g}", 100.0 * share); }
 
-int flaggedOf(const SatThrough& sat, int sites) {
+int countFlaggedTrials(const SessionOutcome& sat, int sites) {
   return static_cast<int>(
       std::ranges::count_if(sat.trials, [&](const training::TrialRow& trial) { return trial.sites_felt < sites; }));
 }
 
-int rightOf(const SatThrough& sat) {
+int countCorrectTrials(const SessionOutcome& sat) {
   return static_cast<int>(std::ranges::count_if(sat.trials, &training::TrialRow::correct));
 }
 
@@ -69,11 +69,11 @@ std::string trialLine(const training::TrialRow& trial) {
   if (!trial.lumps.empty()) return lumpTrialLine(trial);
   const char* verdict = trial.timed_out ? "no answer in time" : trial.correct ? "right" : "wrong";
   return fmt::format("  trial {:2}: change {} %, site {}, answered {}: {}; {} felt, {:.1f} s\n", trial.number,
-                     percentWords(trial.change), trial.site_true, trial.site_answer, verdict, trial.sites_felt,
+                     formatPercent(trial.change), trial.site_true, trial.site_answer, verdict, trial.sites_felt,
                      trial.seconds);
 }
 
-std::string lumpsWords(const SatThrough& sat) {
+std::string formatLumpResults(const SessionOutcome& sat) {
   const lumps::LumpCounts& counts = sat.lumps;
   std::string words =
       fmt::format("; {} of {} lumps found, {} false alarms", counts.found, counts.lumps, counts.false_places);
@@ -89,29 +89,30 @@ std::string lumpsWords(const SatThrough& sat) {
 }
 
 /// The end of a line about a session.
-std::string wallWords(const SatThrough& sat, double wall_s) {
+std::string formatSessionTime(const SessionOutcome& sat, double wall_s) {
   return fmt::format("{}; {:.1f} min in {:.1f} s\n", sat.block.finished ? "" : "; put down", sat.simulated_s / 60.0,
                      wall_s);
 }
 
-std::string sessionLine(const SatThrough& sat, int sites, double wall_s) {
+std::string sessionLine(const SessionOutcome& sat, int sites, double wall_s) {
   const training::BlockRow& block = sat.block;
-  std::string line = fmt::format("{}: {} trials, {} right", wordFor(sat.row.kind), sat.trials.size(), rightOf(sat));
-  if (training::hidesLumps(sat.row.kind)) return line + lumpsWords(sat) + wallWords(sat, wall_s);
+  std::string line =
+      fmt::format("{}: {} trials, {} right", wordFor(sat.row.kind), sat.trials.size(), countCorrectTrials(sat));
+  if (training::hidesLumps(sat.row.kind)) return line + formatLumpResults(sat) + formatSessionTime(sat, wall_s);
   if (sat.resumed) line += ", went on with an earlier block";
   if (block.trials > 0) {
-    line += fmt::format("; T {} % ({} to {} %)", percentWords(block.threshold), percentWords(block.threshold_low),
-                        percentWords(block.threshold_high));
+    line += fmt::format("; T {} % ({} to {} %)", formatPercent(block.threshold), formatPercent(block.threshold_low),
+                        formatPercent(block.threshold_high));
   }
-  if (block.mastered_change) line += fmt::format("; level {} %", percentWords(*block.mastered_change));
+  if (block.mastered_change) line += fmt::format("; level {} %", formatPercent(*block.mastered_change));
   if (block.verdict != training::Verdict::none) line += fmt::format("; {}", wordFor(block.verdict));
-  if (const int flagged = flaggedOf(sat, sites); flagged > 0) {
+  if (const int flagged = countFlaggedTrials(sat, sites); flagged > 0) {
     line += fmt::format("; {} trials with places not felt", flagged);
   }
-  return line + wallWords(sat, wall_s);
+  return line + formatSessionTime(sat, wall_s);
 }
 
-Json lumpsJson(const SatThrough& sat) {
+Json lumpsJson(const SessionOutcome& sat) {
   if (!training::hidesLumps(sat.row.kind)) return nullptr;
   const lumps::LumpCounts& counts = sat.lumps;
   return {{"bodies", counts.bodies},
@@ -124,7 +125,7 @@ Json lumpsJson(const SatThrough& sat) {
           {"false_places", counts.false_places}};
 }
 
-Json satThroughJson(const SatThrough& sat, int sites) {
+Json sessionOutcomeJson(const SessionOutcome& sat, int sites) {
   const training::BlockRow& block = sat.block;
   return {{"sitting", sat.row.id},
           {"kind", wordFor(sat.row.kind)},
@@ -136,9 +137,9 @@ Json satThroughJson(const SatThrough& sat, int sites) {
           {"resumed", sat.resumed},
           {"finished", block.finished},
           {"trials", sat.trials.size()},
-          {"right", rightOf(sat)},
+          {"right", countCorrectTrials(sat)},
           {"counted", block.trials},
-          {"flagged", flaggedOf(sat, sites)},
+          {"flagged", countFlaggedTrials(sat, sites)},
           {"threshold", block.threshold},
           {"low", block.threshold_low},
           {"high", block.threshold_high},
@@ -198,40 +199,40 @@ class TraineeCommand {
     openBench();
     const std::filesystem::path file = recordsFile(options_);
     training::Store store(file, training::Store::Open::create_too);
-    keepFirst(store);
+    storeReferencedRows(store);
     std::optional<classroom::StationLink> link;
-    if (member_) link.emplace(*member_, store, classroom::StationInfo{"palpate, simulated", deviceWords()});
-    for (int i = 0; i < simulated_.trainees && endAskedBy() == 0; ++i) train(store, i);
+    if (member_) link.emplace(*member_, store, classroom::StationInfo{"palpate, simulated", describeDevice()});
+    for (int i = 0; i < simulated_.trainees && endingSignal() == 0; ++i) train(store, i);
     if (link) sendWaiting(store);
     progress_.clear();
     finish(store);
-    return endAskedBy() == 0 ? 0 : exitCodeOf(endAskedBy());
+    return endingSignal() == 0 ? 0 : signalExitCode(endingSignal());
   }
 
  private:
-  std::string traineeWords(const training::TraineeCourse& course) const {
-    return finds_lumps_ ? training::lumpTraineeWords(course.lump_observer) : training::observerWords(course.observer);
+  std::string formatTrainee(const training::TraineeCourse& course) const {
+    return finds_lumps_ ? training::formatLumpTrainee(course.lump_observer) : training::formatObserver(course.observer);
   }
   std::string classId() const { return member_ ? member_->class_id : options_.class_id; }
-  std::string deviceWords() const {
-    return simulated_.fast ? std::string(training::kNoBody) : training::deviceWords(bench_.hand);
+  std::string describeDevice() const {
+    return simulated_.fast ? std::string(training::kNoBody) : training::describeDevice(bench_.hand);
   }
 
   /// Stores the rows that the first session refers to.
-  void keepFirst(training::Store& store) {
+  void storeReferencedRows(training::Store& store) {
     training::StationRow station = training::simulatedStation(start_ms_);
-    station.device = deviceWords();
+    station.device = describeDevice();
     if (member_) {
       station.id = member_->station_id;
       station.name = member_->name;
     }
-    store.keep(station);
-    store.keep(training::protocolRowOf(bench_.protocol));
+    store.save(station);
+    store.save(training::makeProtocolRow(bench_.protocol));
     bench_.station = station.id;
     const std::string id = classId();
     const auto known = store.classes();
     if (id.empty() || std::ranges::find(known, id, &training::ClassRow::id) != known.end()) return;
-    store.keep(training::ClassRow{.id = id, .label = id});
+    store.save(training::ClassRow{.id = id, .label = id});
   }
 
   /// Sends until the class has it all, no progress was made for a while, or the user stopped: the rest goes next time.
@@ -239,7 +240,7 @@ class TraineeCommand {
     constexpr double kPatienceS = 10.0;
     Clock::time_point went = Clock::now();
     std::size_t before = store.waitingCount();
-    while (before > 0 && secondsSince(went) < kPatienceS && endAskedBy() == 0) {
+    while (before > 0 && secondsSince(went) < kPatienceS && endingSignal() == 0) {
       progress_.show(fmt::format("sending to the class, {} rows", before), 0.0);
       std::this_thread::sleep_for(std::chrono::milliseconds(100));
       const std::size_t waits = store.waitingCount();
@@ -256,12 +257,12 @@ class TraineeCommand {
     bench_.sites = training::sitesOn(*body, bench_.protocol);
     if (!simulated_.fast) bench_.body = body;
     bench_.recording_files = !options_.no_recording_file;
-    bench_.stop = [] { return endAskedBy() != 0; };
+    bench_.stop = [] { return endingSignal() != 0; };
     bench_.answered = [this](const training::TrialRow& trial) { answered(trial); };
   }
 
   /// For a class, printing each session would be too much to read.
-  bool tells() const { return !options_.json && (simulated_.trainees == 1 || options_.verbose); }
+  bool printsSessions() const { return !options_.json && (simulated_.trainees == 1 || options_.verbose); }
 
   void answered(const training::TrialRow& trial) {
     if (options_.verbose && !options_.json) {
@@ -286,7 +287,7 @@ class TraineeCommand {
     const training::TraineeRow row =
         training::simulatedTrainee(classId(), code, start_ms_, member_ ? member_->trainee_key : std::string());
     // Stored again for a class, which may have forgotten a trainee who was away.
-    if (const auto known = store.trainee(row.id); !known || member_) store.keep(known.value_or(row));
+    if (const auto known = store.trainee(row.id); !known || member_) store.save(known.value_or(row));
     training::TraineeCourse course;
     course.observer = alone ? observer_ : training::oneOfClass(observer_, simulated_.spread, seed_, number);
     course.lump_observer = lump_observer_;
@@ -299,12 +300,12 @@ class TraineeCommand {
     course.most_trials = simulated_.most_trials;
     person_ = code;
     Json sessions = Json::array();
-    if (tells()) fmt::print("trainee {}: {}\n", code, traineeWords(course));
+    if (printsSessions()) fmt::print("trainee {}: {}\n", code, formatTrainee(course));
     Clock::time_point began = Clock::now();
-    training::sitCourse(store, bench_, course, [&](const SatThrough& sat) {
-      sessions.push_back(satThroughJson(sat, bench_.sites.choices()));
+    training::runProgramme(store, bench_, course, [&](const SessionOutcome& sat) {
+      sessions.push_back(sessionOutcomeJson(sat, bench_.sites.choices()));
       if (sat.block.finished) finished_[sat.row.kind].push_back(sat.block.threshold);
-      if (tells()) {
+      if (printsSessions()) {
         progress_.clear();
         fmt::print("{}", sessionLine(sat, bench_.sites.choices(), secondsSince(began)));
         std::fflush(stdout);
@@ -312,7 +313,7 @@ class TraineeCommand {
       began = Clock::now();
     });
     trainees_.push_back(
-        {{"code", code}, {"trainee", row.id}, {"observer", traineeWords(course)}, {"sittings", std::move(sessions)}});
+        {{"code", code}, {"trainee", row.id}, {"observer", formatTrainee(course)}, {"sittings", std::move(sessions)}});
   }
 
   void finish(const training::Store& store) {
@@ -335,9 +336,9 @@ class TraineeCommand {
       const double mean = std::accumulate(thresholds.begin(), thresholds.end(), 0.0) / n;
       double squares = 0.0;
       for (const double threshold : thresholds) squares += (threshold - mean) * (threshold - mean);
-      lines +=
-          fmt::format("{}: {} trainees, smallest reliable change {} % on average (SD {} %)\n", wordFor(kind),
-                      thresholds.size(), percentWords(mean), percentWords(std::sqrt(squares / std::max(1.0, n - 1.0))));
+      lines += fmt::format("{}: {} trainees, smallest reliable change {} % on average (SD {} %)\n", wordFor(kind),
+                           thresholds.size(), formatPercent(mean),
+                           formatPercent(std::sqrt(squares / std::max(1.0, n - 1.0))));
     }
     return lines;
   }

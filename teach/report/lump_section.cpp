@@ -13,26 +13,26 @@ namespace {
 
 using training::LumpGroup;
 using training::LumpRate;
-using training::LumpSitting;
+using training::LumpSessionResult;
 using training::LumpStatistics;
 using training::SaidGrades;
-std::string percentOf(double share) { return fmt::format("{:.0f} %", WrittenNumber{100.0 * share}); }
+std::string formatWholePercent(double share) { return fmt::format("{:.0f} %", WrittenNumber{100.0 * share}); }
 
 /// "12 of 18, 67 % (44 to 84 %)"
-std::string rateWords(const LumpRate& rate) {
+std::string formatRate(const LumpRate& rate) {
   if (rate.whole == 0) return "–";
   const training::ShareInterval interval = rate.interval();
-  return trf("{} of {}, {} ({} to {})", rate.part, rate.whole, percentOf(rate.share()), percentOf(interval.low),
-             percentOf(interval.high));
+  return trf("{} of {}, {} ({} to {})", rate.part, rate.whole, formatWholePercent(rate.share()),
+             formatWholePercent(interval.low), formatWholePercent(interval.high));
 }
 
-std::string cueWords(const lumps::CueThreshold& threshold) {
+std::string formatCueThreshold(const lumps::CueThreshold& threshold) {
   if (!(threshold.median > 0.0)) return "–";
   const auto number = [](double value) { return fmt::format("{:.2g}", WrittenNumber{value}); };
   return trf("{} ({} to {})", number(threshold.median), number(threshold.low), number(threshold.high));
 }
 
-std::string primeWords(const LumpStatistics& statistics) {
+std::string formatDPrime(const LumpStatistics& statistics) {
   if (!statistics.prime) return "–";
   const auto number = [](double value) { return fmt::format("{:.1f}", WrittenNumber{value}); };
   return trf("{} ({} to {})", number(statistics.prime->value), number(statistics.prime->low),
@@ -45,22 +45,22 @@ std::string groupName(const LumpGroup& group) {
   return trf("{} (protocol {} version {})", kind, group.protocol_id, group.protocol_version);
 }
 
-std::string verdictOf(const LumpSitting& sitting) {
+std::string verdictText(const LumpSessionResult& sitting) {
   if (sitting.block.verdict == training::Verdict::none) return sitting.block.finished ? "–" : tr("interrupted");
   return sitting.block.verdict == training::Verdict::pass ? tr("pass") : tr("not yet");
 }
 
 std::string sittingsTable(const LumpGroup& group, bool of_class) {
   std::vector<Cells> rows;
-  for (const LumpSitting& sitting : group.sittings) {
+  for (const LumpSessionResult& sitting : group.sittings) {
     const LumpStatistics& said = sitting.statistics;
-    Cells row = {dayWords(sitting.start_ms), fmt::format("{}", said.counts.bodies), rateWords(said.found),
+    Cells row = {formatDay(sitting.start_ms), fmt::format("{}", said.counts.bodies), formatRate(said.found),
                  fmt::format("{}", said.counts.false_places)};
     if (of_class) row.insert(row.begin(), shortPseudonym(sitting.trainee));
     if (group.kind == training::SessionKind::lump) {
-      row.insert(row.end(), {rateWords(said.known_with), rateWords(said.known_without), primeWords(said)});
+      row.insert(row.end(), {formatRate(said.known_with), formatRate(said.known_without), formatDPrime(said)});
     }
-    row.insert(row.end(), {cueWords(said.counts.threshold), verdictOf(sitting)});
+    row.insert(row.end(), {formatCueThreshold(said.counts.threshold), verdictText(sitting)});
     rows.push_back(std::move(row));
   }
   Cells head = {tr("day"), tr("bodies"), tr("lumps found (95 %)"), tr("false alarms")};
@@ -76,7 +76,7 @@ void addGrades(std::vector<Cells>& rows, const char* format, const lumps::Grades
                const std::array<LumpRate, lumps::kGrades>& rates) {
   for (std::size_t i = 0; i < rates.size(); ++i) {
     if (rates[i].whole == 0) continue;
-    rows.push_back({fmt::format(fmt::runtime(tr(format)), grades[i]), rateWords(rates[i])});
+    rows.push_back({fmt::format(fmt::runtime(tr(format)), grades[i]), formatRate(rates[i])});
   }
 }
 
@@ -85,9 +85,9 @@ std::string kindsTable(const LumpGroup& group) {
   addGrades(rows, toTranslate("{:g} mm large"), group.task.diameters_mm, group.all.by_size);
   addGrades(rows, toTranslate("{:g} mm deep"), group.task.depths_mm, group.all.by_depth);
   addGrades(rows, toTranslate("{:g} times as stiff"), group.task.ratios, group.all.by_hardness);
-  rows.push_back({tr("fixed"), rateWords(group.all.fixed)});
-  rows.push_back({tr("mobile"), rateWords(group.all.mobile)});
-  rows.push_back({tr("all"), rateWords(group.all.found)});
+  rows.push_back({tr("fixed"), formatRate(group.all.fixed)});
+  rows.push_back({tr("mobile"), formatRate(group.all.mobile)});
+  rows.push_back({tr("all"), formatRate(group.all.found)});
   return tableOf("numbers", {tr("lumps"), tr("found (95 %)")}, rows);
 }
 
@@ -155,18 +155,18 @@ Json lumpStatisticsJson(const LumpStatistics& statistics) {
 std::string lumpSections(const TrainingReport& report) {
   std::string html;
   for (const LumpGroup& group : report.lumps) {
-    html += elementOf("h2", groupName(group)) + "\n" + sittingsTable(group, report.of_class) + kindsTable(group);
+    html += htmlElement("h2", groupName(group)) + "\n" + sittingsTable(group, report.of_class) + kindsTable(group);
     if (group.all.error_mm.count > 0) {
-      html += elementOf("p", trf("Places were named {:.1f} mm beside the lumps (median; the farthest {:.1f} mm).",
-                                 group.all.error_mm.median, group.all.error_mm.greatest)) +
+      html += htmlElement("p", trf("Places were named {:.1f} mm beside the lumps (median; the farthest {:.1f} mm).",
+                                   group.all.error_mm.median, group.all.error_mm.greatest)) +
               "\n";
     }
     html += foldedHtml(tr("What was said of the lumps that were found"), saidTable(group));
   }
   if (!html.empty()) {
-    html += elementOf("p", tr("C says how plainly a lump is felt: the change of force and of the pattern of pressure "
-                              "over it, each over the smallest that people notice. d′ says how well bodies with a "
-                              "lump were told from those without: 0 is guessing.")) +
+    html += htmlElement("p", tr("C says how plainly a lump is felt: the change of force and of the pattern of pressure "
+                                "over it, each over the smallest that people notice. d′ says how well bodies with a "
+                                "lump were told from those without: 0 is guessing.")) +
             "\n";
   }
   return html;
@@ -182,11 +182,11 @@ std::vector<std::string> lumpSentences(const TrainingReport& report) {
       text += fmt::format(
           " {}", trf("Of {} bodies without a lump {} were recognised.", all.counts.without, all.known_without.part));
     }
-    const LumpSitting& last = group.sittings.back();
+    const LumpSessionResult& last = group.sittings.back();
     if (!report.of_class && last.block.verdict == training::Verdict::pass) {
-      text += fmt::format(" {}", trf("The last, of {}: passed.", dayWords(last.start_ms)));
+      text += fmt::format(" {}", trf("The last, of {}: passed.", formatDay(last.start_ms)));
     } else if (!report.of_class && last.block.verdict == training::Verdict::not_yet) {
-      text += fmt::format(" {}", trf("The last, of {}: not yet.", dayWords(last.start_ms)));
+      text += fmt::format(" {}", trf("The last, of {}: not yet.", formatDay(last.start_ms)));
     }
     sentences.push_back(std::move(text));
   }
@@ -204,7 +204,7 @@ Json lumpGroupsJson(const TrainingReport& report) {
                 {"ratios", group.task.ratios},
                 {"all", lumpStatisticsJson(group.all)},
                 {"sittings", Json::array()}};
-    for (const LumpSitting& sitting : group.sittings) {
+    for (const LumpSessionResult& sitting : group.sittings) {
       Json row = {{"block", sitting.block.id},          {"trainee", shortPseudonym(sitting.trainee)},
                   {"start_ms", sitting.start_ms},       {"device", sitting.device},
                   {"finished", sitting.block.finished}, {"verdict", wordFor(sitting.block.verdict)}};

@@ -26,7 +26,7 @@ void runResultsReport(ResultsReportArguments arguments) {
   const ReportRequest& request = arguments.request;
   const bool is_database = classroom::isDatabaseAddress(request.file.string());
   ProgressLine progress;
-  const std::filesystem::path page = pageOf(request, is_database ? "class.html" : standardPage(request.file));
+  const std::filesystem::path page = resolvePagePath(request, is_database ? "class.html" : standardPage(request.file));
   arguments.settings.file = request.file;
   const TrainingReport report = trainingReport(arguments.settings, progress.callback());
   const FinishedReport finished{.file = report.file,

@@ -189,7 +189,7 @@ std::string firstAndLast(const std::string& what, const std::string& first, cons
 
 // ---- psychometric functions
 
-std::string boxesWords(const std::vector<AnswerBox>& boxes, double scale, std::string_view unit) {
+std::string formatAnswerBoxes(const std::vector<AnswerBox>& boxes, double scale, std::string_view unit) {
   std::string words;
   for (const AnswerBox& box : boxes) {
     const int decimals = scale * box.middle < 10.0 ? 1 : 0;
@@ -222,8 +222,9 @@ Series levelLine(const std::string& name, double from, double to, double y) {
 }
 
 Plot fitPlot(const ThresholdPoint& point) {
-  const training::FittedCurve curve = training::fittedCurve(training::posteriorOf(point), training::curveChanges());
-  Plot plot{.title = fmt::format("{}, {}", occasionWords(point.kind, point.nth), dayWords(point.start_ms))};
+  const training::FittedCurve curve =
+      training::fittedCurve(training::computePosterior(point), training::curveChanges());
+  Plot plot{.title = fmt::format("{}, {}", occasionName(point.kind, point.nth), formatDay(point.start_ms))};
   plot.x = changeAxis(tr("change"), 3.0, 100.0);
   plot.y = rightAxis(tr("right answers"));
   std::vector<double> x, low, high, mean;
@@ -261,14 +262,14 @@ TrainingPicture curvePicture(const TraineeStatistics& trainee, const std::vector
   addBlocks(trainee, true, shown, plot);
   std::vector<std::string> words;
   for (const training::FilteredPoint& point : trainee.curve) {
-    words.push_back(occasionWords(trainee.points[point.point].kind, trainee.points[point.point].nth));
+    words.push_back(occasionName(trainee.points[point.point].kind, trainee.points[point.point].nth));
   }
   plot.x = occasionAxis(words);
   plot.y = shown.axis(tr("smallest reliable change"));
   const auto said = [&](const training::FilteredPoint& point) {
     const ThresholdPoint& block = trainee.points[point.point];
-    return fmt::format("{} {}", occasionWords(block.kind, block.nth),
-                       thresholdWords(block.threshold->median, block.threshold->low, block.threshold->high));
+    return fmt::format("{} {}", occasionName(block.kind, block.nth),
+                       formatThreshold(block.threshold->median, block.threshold->low, block.threshold->high));
   };
   return {
       "curve",
@@ -299,7 +300,7 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
   for (std::size_t i = 0; i < occasions.size(); ++i) {
     const Occasion& occasion = occasions[i];
     const double at = static_cast<double>(i + 1);
-    words.push_back(occasionWords(occasion.kind, occasion.nth));
+    words.push_back(occasionName(occasion.kind, occasion.nth));
     x.push_back(at);
     low.push_back(100.0 * occasion.medians.lower_quartile);
     high.push_back(100.0 * occasion.medians.upper_quartile);
@@ -335,8 +336,8 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
   plot.x = occasionAxis(words);
   plot.y = shown.axis(tr("smallest reliable change"));
   const auto said = [&](std::size_t i) {
-    return trf("{} median {}, middle half {} to {}", words[i], changeWords(occasions[i].medians.median),
-               changeWords(occasions[i].medians.lower_quartile), changeWords(occasions[i].medians.upper_quartile));
+    return trf("{} median {}, middle half {} to {}", words[i], formatChange(occasions[i].medians.median),
+               formatChange(occasions[i].medians.lower_quartile), formatChange(occasions[i].medians.upper_quartile));
   };
   return {
       "curve",
@@ -354,9 +355,9 @@ TrainingPicture fitPicture(const std::vector<const ThresholdPoint*>& blocks) {
   std::string alternative;
   for (const ThresholdPoint* point : blocks) {
     figure.panels.emplace_back(fitPlot(*point));
-    alternative += " " + trf("{}: T {}. Right answers {}.", occasionWords(point->kind, point->nth),
-                             thresholdWords(point->threshold->median, point->threshold->low, point->threshold->high),
-                             boxesWords(point->trials.boxes, 100.0, " %"));
+    alternative += " " + trf("{}: T {}. Right answers {}.", occasionName(point->kind, point->nth),
+                             formatThreshold(point->threshold->median, point->threshold->low, point->threshold->high),
+                             formatAnswerBoxes(point->trials.boxes, 100.0, " %"));
   }
   alternative.erase(0, 1);
   return {
@@ -385,7 +386,7 @@ TrainingPicture collapsedPicture(const std::vector<AnswerBox>& boxes) {
              "functions expect. Below the threshold dots lie somewhat under the line also where the model holds "
              "exactly: answers chose both the changes and the threshold. It is a picture of the answers, no test of "
              "the model."),
-          trf("Right answers of tests by change over own threshold: {}.", boxesWords(boxes, 1.0, "")),
+          trf("Right answers of tests by change over own threshold: {}.", formatAnswerBoxes(boxes, 1.0, "")),
           wideFigure(std::move(plot), 360.0)};
 }
 
@@ -477,7 +478,7 @@ TrainingPicture accuracyPicture(const TestsAndPracticeShown& shown) {
       points.y.push_back(100.0 * box.corrected);
     }
     corrected.series.push_back(std::move(points));
-    alternative += " " + trf("Right answers in {}: {}.", each.name, boxesWords(each.trials->boxes, 100.0, " %"));
+    alternative += " " + trf("Right answers in {}: {}.", each.name, formatAnswerBoxes(each.trials->boxes, 100.0, " %"));
   }
   corrected.series.push_back(levelLine(tr("guessing"), 3.0, 100.0, 0.0));
   for (Plot* plot : {&raw, &corrected}) plot->x = changeAxis(tr("change"), 3.0, 100.0);

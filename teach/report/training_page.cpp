@@ -29,7 +29,7 @@ std::optional<ReportBack> reportBack(const TrainingReport& report) {
   try {
     std::vector<std::string> places;
     for (const training::ProtocolRow& row : report.record.protocols) {
-      if (const auto* protocol = training::protocolOf(report.record, row.id, row.version)) places = protocol->sites;
+      if (const auto* protocol = training::findProtocol(report.record, row.id, row.version)) places = protocol->sites;
     }
     back.sites =
         places.empty() ? training::twelveSites(torso.landmarks) : training::sitesNamed(torso.landmarks, places);
@@ -50,7 +50,7 @@ class PageWriter {
   std::string page() {
     const std::string name =
         report_.of_class ? tr("Training report: class") : trf("Training report: trainee {}", report_.name);
-    html_ = pageBegin(name) + summaryOf(trainingSentences(report_)) + trainingFacts(report_);
+    html_ = pageBegin(name) + summaryHtml(trainingSentences(report_)) + trainingFacts(report_);
     if (tests_.shown + practice_.shown > 0) {
       report_.of_class ? classSections() : traineeSections();
       accuracy();
@@ -72,11 +72,11 @@ class PageWriter {
 
  private:
   void add(const std::string& html) { html_ += html; }
-  void addHeading(std::string_view words) { html_ += elementOf("h2", words) + "\n"; }
+  void addHeading(std::string_view words) { html_ += htmlElement("h2", words) + "\n"; }
   void addPicture(const TrainingPicture& picture) {
     palpate::report(progress_, "drawing " + picture.id, 0.0);
     add(figureHtml(picture.id, picture.figure, picture.alternative, picture.caption));
-    add(foldedHtml(tr("The picture in words"), elementOf("p", picture.alternative)));
+    add(foldedHtml(tr("The picture in words"), htmlElement("p", picture.alternative)));
   }
 
   void traineeSections() {
@@ -101,7 +101,7 @@ class PageWriter {
   void classSections() {
     const training::ClassStatistics& all = report_.statistics.all;
     addHeading(tr("Learning curve"));
-    if (all.occasions.empty()) add(elementOf("p", tr("No block has enough answers for a threshold.")) + "\n");
+    if (all.occasions.empty()) add(htmlElement("p", tr("No block has enough answers for a threshold.")) + "\n");
     if (!all.occasions.empty()) addPicture(classCurvePicture(report_.statistics));
     add(occasionsTable(all));
     if (all.collapsed.empty()) return;
@@ -184,7 +184,7 @@ class PageWriter {
         {tr("What is not shown"), tr(kNotShown)}};
     addHeading(tr("What the words mean"));
     add("<dl>\n");
-    for (const auto& [word, meaning] : words) add(elementOf("dt", word) + elementOf("dd", meaning) + "\n");
+    for (const auto& [word, meaning] : words) add(htmlElement("dt", word) + htmlElement("dd", meaning) + "\n");
     add("</dl>\n");
   }
 

@@ -40,7 +40,7 @@ struct WantedTrainee {
 WantedTrainee wantedTrainee(const TrainingReportSettings& settings, training::Store& store) {
   const std::vector<training::TraineeRow> trainees = store.trainees();
   if (const auto code = training::codeTyped(settings.trainee)) {
-    for (const training::Uuid& id : store.pseudonymsOf(*code)) {
+    for (const training::Uuid& id : store.derivePseudonyms(*code)) {
       if (std::ranges::count(trainees, id, &training::TraineeRow::id) > 0) return {id, *code};
     }
   }
@@ -54,7 +54,7 @@ WantedTrainee wantedTrainee(const TrainingReportSettings& settings, training::St
                                     : fmt::format("holds {} trainees '{}...'", found.size(), settings.trainee));
 }
 
-std::string classWords(const std::vector<training::ClassRow>& classes, const std::string& id) {
+std::string classTitle(const std::vector<training::ClassRow>& classes, const std::string& id) {
   for (const training::ClassRow& row : classes) {
     if (row.id == id) return row.label.empty() ? row.id : fmt::format("{} ({})", row.label, row.id);
   }
@@ -62,7 +62,7 @@ std::string classWords(const std::vector<training::ClassRow>& classes, const std
 }
 
 /// Quartiles behind a trainee's own curve.
-std::vector<training::Occasion> othersOf(const training::TrainingStatistics& all) {
+std::vector<training::Occasion> selectOccasions(const training::TrainingStatistics& all) {
   std::vector<training::Occasion> occasions = all.all.occasions;
   std::erase_if(occasions, [](const training::Occasion& occasion) {
     return occasion.medians.count < static_cast<std::size_t>(kMinOthers);
@@ -71,16 +71,16 @@ std::vector<training::Occasion> othersOf(const training::TrainingStatistics& all
 }
 
 /// The trainee's own rows, and the class's quartiles.
-void keepOne(TrainingReport& report, const WantedTrainee& wanted) {
+void limitToTrainee(TrainingReport& report, const WantedTrainee& wanted) {
   report.name = wanted.name;
   const auto at = std::ranges::find(report.record.trainees, wanted.id, [](const auto& one) { return one.row.id; });
   const std::string class_id = at->row.class_id;
   training::TrainingRecord others = report.record;
   std::erase_if(others.trainees, [&](const auto& one) { return one.row.class_id != class_id; });
   if (others.trainees.size() >= static_cast<std::size_t>(kMinOthers)) {
-    report.others = othersOf(training::trainingStatistics(others, {.curves = false, .groups = false}));
+    report.others = selectOccasions(training::trainingStatistics(others, {.curves = false, .groups = false}));
   }
-  report.class_words = classWords(report.record.classes, class_id);
+  report.class_words = classTitle(report.record.classes, class_id);
   std::erase_if(report.record.trainees, [&](const auto& one) { return one.row.id != wanted.id; });
 }
 
@@ -95,11 +95,11 @@ std::string resultSentence(const TraineeStatistics& trainee, bool found_lumps) {
     return trnf("Smallest reliable change: more trials needed ({} answer so far, in the {} of {}).",
                 "Smallest reliable change: more trials needed ({} answers so far, in the {} of {}).",
                 static_cast<std::size_t>(latest->trials.counted), latest->trials.counted,
-                occasionWords(latest->kind, latest->nth), dayWords(latest->start_ms));
+                occasionName(latest->kind, latest->nth), formatDay(latest->start_ms));
   }
   return trf("Smallest reliable change: about {} of {}, measured in the {} of {} with {} answers.",
-             thresholdWords(t.median, t.low, t.high), meaningWords(latest->meaning),
-             occasionWords(latest->kind, latest->nth), dayWords(latest->start_ms), latest->trials.counted);
+             formatThreshold(t.median, t.low, t.high), changeMeaningName(latest->meaning),
+             occasionName(latest->kind, latest->nth), formatDay(latest->start_ms), latest->trials.counted);
 }
 
 std::string comparisonSentence(const TraineeStatistics& trainee) {
@@ -107,13 +107,13 @@ std::string comparisonSentence(const TraineeStatistics& trainee) {
   const ThresholdPoint& before = trainee.points[trainee.compared->before];
   const ThresholdPoint& now = trainee.points[trainee.compared->now];
   const std::string first =
-      trf("First test ({}): {}.", occasionWords(before.kind, before.nth), changeWords(before.threshold->median));
+      trf("First test ({}): {}.", occasionName(before.kind, before.nth), formatChange(before.threshold->median));
   if (trainee.compared->why_not) {
     return first + " " + trf("The two are not compared: {}.", tr(trainee.compared->why_not->c_str()));
   }
   const training::ThresholdChange& change = trainee.compared->change;
   if (!change.clear) return first + " " + tr("Too early to call a change.");
-  const std::string now_words = changeWords(now.threshold->median);
+  const std::string now_words = formatChange(now.threshold->median);
   const std::string clear = change.ratio < 1.0 ? trf("Now {} ({:.2f} times, {:.2f} to {:.2f}): a clear improvement.",
                                                      now_words, change.ratio, change.low, change.high)
                                                : trf("Now {} ({:.2f} times, {:.2f} to {:.2f}): a clear loss.",
@@ -126,9 +126,8 @@ std::string attentionSentence(const TraineeStatistics& trainee) {
   std::string tests;
   for (const ThresholdPoint& point : trainee.points) {
     if (!training::isTest(point.kind) || !point.attention.warned()) continue;
-    tests +=
-        (tests.empty() ? "" : ", ") + trf("{} ({} of {} easy changes missed)", occasionWords(point.kind, point.nth),
-                                          point.attention.easy_missed, point.attention.easy);
+    tests += (tests.empty() ? "" : ", ") + trf("{} ({} of {} easy changes missed)", occasionName(point.kind, point.nth),
+                                               point.attention.easy_missed, point.attention.easy);
   }
   if (tests.empty()) return {};
   return trf("Inattention: in {} answers in a row were like guesses; the threshold may be too high.", tests);
@@ -140,7 +139,7 @@ std::string examSentence(const TraineeStatistics& trainee) {
     if (point.kind == SessionKind::exam && point.finished) exam = &point;
   }
   if (exam == nullptr || exam->verdict == training::Verdict::none) return {};
-  const std::string day = dayWords(exam->start_ms);
+  const std::string day = formatDay(exam->start_ms);
   if (exam->verdict == training::Verdict::pass) return trf("Examination of {}: passed.", day);
   if (exam->verdict == training::Verdict::not_yet) return trf("Examination of {}: not yet.", day);
   return trf("Examination of {}: to be repeated (too close to call).", day);
@@ -169,16 +168,16 @@ std::string lapseSentence(const TrialStatistics& tests) {
 
 std::string groupSentence(const training::Occasion& occasion) {
   const std::size_t count = occasion.medians.count;
-  const std::string words = occasionWords(occasion.kind, occasion.nth);
+  const std::string words = occasionName(occasion.kind, occasion.nth);
   std::string text;
   if (occasion.group.people >= 2) {
     text = trnf("{}: {} trainee, mean smallest reliable change {} (95 % interval {} to {}), standard deviation {}.",
                 "{}: {} trainees, mean smallest reliable change {} (95 % interval {} to {}), standard deviation {}.",
-                count, words, count, changeWords(occasion.group.mean), changeWords(occasion.group.low),
-                changeWords(occasion.group.high), changeWords(occasion.group.sd));
+                count, words, count, formatChange(occasion.group.mean), formatChange(occasion.group.low),
+                formatChange(occasion.group.high), formatChange(occasion.group.sd));
   } else {
     text = trnf("{}: {} trainee, median {}.", "{}: {} trainees, median {}.", count, words, count,
-                changeWords(occasion.medians.median));
+                formatChange(occasion.medians.median));
   }
   text[0] = text[0] >= 'a' && text[0] <= 'z' ? static_cast<char>(text[0] - 'a' + 'A') : text[0];
   return text;
@@ -245,13 +244,13 @@ TrainingReport trainingReport(const TrainingReportSettings& settings, const Prog
   }
   palpate::report(progress, "computing", 0.0);
   if (!settings.trainee.empty()) {
-    keepOne(report, wantedTrainee(settings, store));
+    limitToTrainee(report, wantedTrainee(settings, store));
   } else if (report.record.trainees.size() == 1 && !settings.whole_class && settings.only_class.empty()) {
     const training::Uuid id = report.record.trainees.front().row.id;
-    keepOne(report, {id, shortPseudonym(id)});
+    limitToTrainee(report, {id, shortPseudonym(id)});
   } else {
     report.of_class = true;
-    report.class_words = settings.only_class.empty() ? "" : classWords(report.record.classes, settings.only_class);
+    report.class_words = settings.only_class.empty() ? "" : classTitle(report.record.classes, settings.only_class);
   }
   report.statistics =
       training::trainingStatistics(report.record, {.curves = !report.of_class, .groups = report.of_class});
@@ -282,7 +281,7 @@ std::vector<std::string> trainingSentences(const TrainingReport& report) {
   return sentences;
 }
 
-std::string occasionWords(SessionKind kind, int nth) {
+std::string occasionName(SessionKind kind, int nth) {
   switch (kind) {
     case SessionKind::practice:
       return trf("practice {}", nth);
@@ -306,26 +305,26 @@ std::string occasionWords(SessionKind kind, int nth) {
   return tr("free exploration");
 }
 
-std::string meaningWords(training::ChangeMeaning meaning) {
+std::string changeMeaningName(training::ChangeMeaning meaning) {
   if (meaning == training::ChangeMeaning::cue) return tr("the cue of a lump");
   return meaning == training::ChangeMeaning::compliance ? tr("compliance") : tr("stiffness");
 }
 
 std::string shortPseudonym(const training::Uuid& id) { return id.substr(0, kPseudonymLetters); }
 
-std::string changeWords(double change) {
+std::string formatChange(double change) {
   return fmt::format("{:.{}f}{}%", WrittenNumber{100.0 * change}, change < 0.0995 ? 1 : 0, kNoBreak);
 }
 
-std::string thresholdWords(double median, double low, double high) {
+std::string formatThreshold(double median, double low, double high) {
   if (!training::ThresholdSummary{.median = median, .low = low, .high = high}.telling()) {
     return tr(training::kMoreTrialsNeeded);
   }
-  const std::string from = changeWords(low);
-  return trf("{} ({} to {})", changeWords(median), from.substr(0, from.find(kNoBreak)), changeWords(high));
+  const std::string from = formatChange(low);
+  return trf("{} ({} to {})", formatChange(median), from.substr(0, from.find(kNoBreak)), formatChange(high));
 }
 
-std::string dayWords(std::int64_t utc_ms) {
+std::string formatDay(std::int64_t utc_ms) {
   if (utc_ms <= 0) return tr("no date");
   return fmt::format("{:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(utc_ms / 1000)));
 }

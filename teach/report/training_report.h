@@ -68,17 +68,17 @@ inline constexpr const char* kNotShown = toTranslate(
 inline constexpr int kMinOthers = 5;
 
 /// "pre-test", "practice 3".
-std::string occasionWords(training::SessionKind kind, int nth);
+std::string occasionName(training::SessionKind kind, int nth);
 /// "compliance".
-std::string meaningWords(training::ChangeMeaning meaning);
+std::string changeMeaningName(training::ChangeMeaning meaning);
 /// 018f3c1e-... -> "018f3c1e".
 std::string shortPseudonym(const training::Uuid& id);
 /// 0.1834 -> "18 %", 0.0734 -> "7.3 %".
-std::string changeWords(double change);
+std::string formatChange(double change);
 /// "18 % (13 to 25 %)".
-std::string thresholdWords(double median, double low, double high);
+std::string formatThreshold(double median, double low, double high);
 /// 1763853600000 -> "2025-11-22".
-std::string dayWords(std::int64_t utc_ms);
+std::string formatDay(std::int64_t utc_ms);
 
 // The tables of a training report, as in its page; empty without data.
 

@@ -220,7 +220,8 @@ Json traineeJson(const training::TraineeStatistics& trainee, bool whole) {
   json["fits"] = Json::array();
   for (const training::ThresholdPoint& point : trainee.points) {
     if (!point.threshold || !training::isTest(point.kind)) continue;
-    const training::FittedCurve curve = training::fittedCurve(training::posteriorOf(point), training::curveChanges());
+    const training::FittedCurve curve =
+        training::fittedCurve(training::computePosterior(point), training::curveChanges());
     json["fits"].push_back({{"block", point.block},
                             {"changes", curve.changes},
                             {"mean", curve.mean},

@@ -22,11 +22,13 @@ constexpr std::string_view kNoValue = "–";
 /// More sessions than this are counted, not listed.
 constexpr std::size_t kMaxSittings = 60;
 
-std::string decimalWords(double value, int decimals) { return fmt::format("{:.{}f}", WrittenNumber{value}, decimals); }
+std::string formatDecimals(double value, int decimals) {
+  return fmt::format("{:.{}f}", WrittenNumber{value}, decimals);
+}
 
-std::string shareWords(double share) { return fmt::format("{:.1f} %", WrittenNumber{100.0 * share}); }
+std::string formatPercent(double share) { return fmt::format("{:.1f} %", WrittenNumber{100.0 * share}); }
 
-std::string joinedWords(const std::set<std::string>& words) {
+std::string joinNonEmpty(const std::set<std::string>& words) {
   std::string list;
   for (const std::string& word : words) {
     if (!word.empty()) list += (list.empty() ? "" : "; ") + word;
@@ -50,14 +52,14 @@ std::string recordWord(const std::string& word) {
   return known == kWords.end() ? word : tr(*known);
 }
 
-std::string reasonsWords(const training::Reasons& reasons) {
+std::string formatReasonCounts(const training::Reasons& reasons) {
   std::string words;
   for (const auto& [reason, count] : reasons)
     words += fmt::format("{}{}: {}", words.empty() ? "" : ", ", recordWord(reason), count);
   return words;
 }
 
-std::string verdictWords(training::Verdict verdict) {
+std::string verdictName(training::Verdict verdict) {
   switch (verdict) {
     case training::Verdict::pass:
       return tr("pass");
@@ -71,7 +73,7 @@ std::string verdictWords(training::Verdict verdict) {
   return std::string(kNoValue);
 }
 
-std::string methodWords(training::Method method) {
+std::string methodName(training::Method method) {
   switch (method) {
     case training::Method::marginal_psi:
       return tr("adaptive levels");
@@ -85,19 +87,19 @@ std::string methodWords(training::Method method) {
   return tr("fixed levels");
 }
 
-std::string resultWords(const ThresholdPoint& point) {
-  if (point.threshold) return thresholdWords(point.threshold->median, point.threshold->low, point.threshold->high);
+std::string formatResult(const ThresholdPoint& point) {
+  if (point.threshold) return formatThreshold(point.threshold->median, point.threshold->low, point.threshold->high);
   if (point.method == training::Method::mastery) {
-    return point.level ? trf("level {}", changeWords(*point.level)) : tr("no level yet");
+    return point.level ? trf("level {}", formatChange(*point.level)) : tr("no level yet");
   }
   return tr("too few answers");
 }
 
 /// median (middle half)
-std::string spreadWords(const Spread& spread, int decimals) {
+std::string formatSpread(const Spread& spread, int decimals) {
   if (spread.count == 0) return std::string(kNoValue);
-  return trf("{} ({} to {})", decimalWords(spread.median, decimals), decimalWords(spread.lower_quartile, decimals),
-             decimalWords(spread.upper_quartile, decimals));
+  return trf("{} ({} to {})", formatDecimals(spread.median, decimals), formatDecimals(spread.lower_quartile, decimals),
+             formatDecimals(spread.upper_quartile, decimals));
 }
 
 std::string siteName(const training::SiteSet& set, int number) {
@@ -106,7 +108,7 @@ std::string siteName(const training::SiteSet& set, int number) {
 }
 
 Cells spreadRow(const std::string& what, const Spread& tests, const Spread& practice, int decimals) {
-  return {what, spreadWords(tests, decimals), spreadWords(practice, decimals)};
+  return {what, formatSpread(tests, decimals), formatSpread(practice, decimals)};
 }
 
 struct MadeWith {
@@ -124,14 +126,14 @@ MadeWith madeWith(const TrainingReport& report) {
       made.last_ms = std::max(made.last_ms, session.row.start_ms);
     }
     for (const ThresholdPoint& point : trainee.points) {
-      made.meanings.insert(meaningWords(point.meaning));
+      made.meanings.insert(changeMeaningName(point.meaning));
       made.protocols.insert(trf("{} version {}", point.protocol_id, point.protocol_version));
     }
   }
   return made;
 }
 
-std::string eventsWords(const training::SessionQuality& session) {
+std::string formatEventCounts(const training::SessionQuality& session) {
   std::string words;
   for (const auto& [kind, count] : session.events) {
     if (kind == "block" || kind == "screen") continue;  // part of every session
@@ -145,8 +147,8 @@ std::string sessionsTable(const TraineeStatistics& trainee) {
   for (const training::SessionQuality& session : trainee.sessions) {
     if (rows.size() == kMaxSittings) break;
     const training::SessionRow& row = session.row;
-    rows.push_back({dayWords(row.start_ms), recordWord(std::string(wordFor(row.kind))), row.device, row.app_version,
-                    row.end_ms == 0 ? tr("not ended") : tr("ended"), eventsWords(session),
+    rows.push_back({formatDay(row.start_ms), recordWord(std::string(wordFor(row.kind))), row.device, row.app_version,
+                    row.end_ms == 0 ? tr("not ended") : tr("ended"), formatEventCounts(session),
                     row.file.empty() ? tr("none") : row.file});
   }
   return tableOf("words",
@@ -180,14 +182,14 @@ std::string trainingFacts(const TrainingReport& report) {
   html += factRow(tr("Class"), report.class_words);
   if (report.of_class) html += factRow(tr("Trainees"), fmt::format("{}", report.statistics.trainees.size()));
   if (made.first_ms > 0) {
-    const std::string first = dayWords(made.first_ms);
-    const std::string last = dayWords(made.last_ms);
+    const std::string first = formatDay(made.first_ms);
+    const std::string last = formatDay(made.last_ms);
     html += factRow(tr("Days"), first == last ? first : trf("{} to {}", first, last));
   }
-  html += factRow(tr("Device"), joinedWords(made.devices));
-  html += factRow(tr("Change of"), joinedWords(made.meanings));
-  html += factRow(tr("Protocol"), joinedWords(made.protocols));
-  html += factRow(tr("Recorded by"), made.versions.empty() ? "" : joinedWords(made.versions));
+  html += factRow(tr("Device"), joinNonEmpty(made.devices));
+  html += factRow(tr("Change of"), joinNonEmpty(made.meanings));
+  html += factRow(tr("Protocol"), joinNonEmpty(made.protocols));
+  html += factRow(tr("Recorded by"), made.versions.empty() ? "" : joinNonEmpty(made.versions));
   html += factRow(tr("Records"), report.file.filename().string());
   return html + "</tbody></table></div>\n";
 }
@@ -198,13 +200,13 @@ std::string blocksTable(const TraineeStatistics& trainee) {
     const auto filtered = std::ranges::find_if(trainee.curve, [&](const training::FilteredPoint& each) {
       return trainee.points[each.point].block == point.block;
     });
-    rows.push_back({occasionWords(point.kind, point.nth), dayWords(point.start_ms), methodWords(point.method),
-                    trf("{} of {}", point.trials.correct, point.trials.counted), resultWords(point),
+    rows.push_back({occasionName(point.kind, point.nth), formatDay(point.start_ms), methodName(point.method),
+                    trf("{} of {}", point.trials.correct, point.trials.counted), formatResult(point),
                     filtered == trainee.curve.end()
                         ? std::string(kNoValue)
-                        : thresholdWords(filtered->filtered.median, filtered->filtered.low, filtered->filtered.high),
-                    verdictWords(point.verdict), decimalWords(point.trials.places_felt.mean, 1),
-                    decimalWords(point.trials.seconds.median, 0), point.finished ? "" : tr("interrupted")});
+                        : formatThreshold(filtered->filtered.median, filtered->filtered.low, filtered->filtered.high),
+                    verdictName(point.verdict), formatDecimals(point.trials.places_felt.mean, 1),
+                    formatDecimals(point.trials.seconds.median, 0), point.finished ? "" : tr("interrupted")});
   }
   return tableOf("numbers",
                  {tr("block"), tr("day"), tr("method"), tr("right answers"), tr("by itself (95 %)"),
@@ -216,8 +218,8 @@ std::string fitsTable(const TraineeStatistics& trainee) {
   std::vector<Cells> rows;
   for (const ThresholdPoint& point : trainee.points) {
     if (!point.threshold) continue;
-    rows.push_back({occasionWords(point.kind, point.nth), dayWords(point.start_ms), resultWords(point),
-                    decimalWords(point.slope, 2), shareWords(point.lapse), fmt::format("{}", point.choices),
+    rows.push_back({occasionName(point.kind, point.nth), formatDay(point.start_ms), formatResult(point),
+                    formatDecimals(point.slope, 2), formatPercent(point.lapse), fmt::format("{}", point.choices),
                     fmt::format("{}", point.trials.counted)});
   }
   if (rows.empty()) return {};
@@ -232,11 +234,11 @@ std::string occasionsTable(const training::ClassStatistics& all) {
   for (const training::Occasion& occasion : all.occasions) {
     const bool known = occasion.group.people >= 2;
     rows.push_back(
-        {occasionWords(occasion.kind, occasion.nth), fmt::format("{}", occasion.medians.count),
-         known ? thresholdWords(occasion.group.mean, occasion.group.low, occasion.group.high) : std::string(kNoValue),
-         known ? changeWords(occasion.group.sd) : std::string(kNoValue), changeWords(occasion.medians.lower_quartile),
-         changeWords(occasion.medians.median), changeWords(occasion.medians.upper_quartile),
-         reasonsWords(occasion.verdicts)});
+        {occasionName(occasion.kind, occasion.nth), fmt::format("{}", occasion.medians.count),
+         known ? formatThreshold(occasion.group.mean, occasion.group.low, occasion.group.high) : std::string(kNoValue),
+         known ? formatChange(occasion.group.sd) : std::string(kNoValue), formatChange(occasion.medians.lower_quartile),
+         formatChange(occasion.medians.median), formatChange(occasion.medians.upper_quartile),
+         formatReasonCounts(occasion.verdicts)});
   }
   if (rows.empty()) return {};
   return tableOf("numbers",
@@ -260,8 +262,8 @@ std::string traineesTable(const training::TrainingStatistics& statistics) {
     const int shown = trainee.tests.shown + trainee.practice.shown;
     const int left_out = trainee.tests.excluded + trainee.practice.excluded;
     rows.push_back({shortPseudonym(trainee.id), fmt::format("{}", trainee.points.size()), fmt::format("{}", shown),
-                    latest == nullptr ? std::string(kNoValue) : occasionWords(latest->kind, latest->nth),
-                    latest == nullptr ? std::string(kNoValue) : resultWords(*latest), change,
+                    latest == nullptr ? std::string(kNoValue) : occasionName(latest->kind, latest->nth),
+                    latest == nullptr ? std::string(kNoValue) : formatResult(*latest), change,
                     fmt::format("{}", left_out), trf("{} of {}", trainee.tests.easy_wrong, trainee.tests.easy)});
   }
   return tableOf("numbers",
@@ -274,10 +276,10 @@ std::string levelsTable(const TrialStatistics& trials, const std::string& what) 
   if (trials.levels.empty()) return {};
   std::vector<Cells> rows;
   for (const training::LevelAccuracy& level : trials.levels) {
-    rows.push_back({changeWords(level.change), fmt::format("{}", level.trials), fmt::format("{}", level.correct),
-                    shareWords(level.share),
-                    trf("{} to {}", shareWords(level.interval.low), shareWords(level.interval.high)),
-                    shareWords(level.chance), shareWords(level.corrected)});
+    rows.push_back({formatChange(level.change), fmt::format("{}", level.trials), fmt::format("{}", level.correct),
+                    formatPercent(level.share),
+                    trf("{} to {}", formatPercent(level.interval.low), formatPercent(level.interval.high)),
+                    formatPercent(level.chance), formatPercent(level.corrected)});
   }
   return foldedHtml(trf("Each change: {}", what),
                     tableOf("numbers",
@@ -290,9 +292,9 @@ std::string sitesTable(const TrialStatistics& trials, const training::SiteSet& s
   if (trials.shown == 0) return {};
   std::vector<Cells> rows;
   for (const training::SiteFelt& site : trials.felt) {
-    rows.push_back({siteName(set, site.site), trf("{} of {}", site.felt, site.trials), decimalWords(site.presses, 2),
-                    decimalWords(site.dwell_s, 2), decimalWords(site.peak_force_n, 2),
-                    decimalWords(site.greatest_force_n, 2), decimalWords(site.deepest_mm, 1)});
+    rows.push_back({siteName(set, site.site), trf("{} of {}", site.felt, site.trials), formatDecimals(site.presses, 2),
+                    formatDecimals(site.dwell_s, 2), formatDecimals(site.peak_force_n, 2),
+                    formatDecimals(site.greatest_force_n, 2), formatDecimals(site.deepest_mm, 1)});
   }
   return foldedHtml(trf("Each site: {}", what),
                     tableOf("numbers",
@@ -336,11 +338,11 @@ std::string answersTable(const TrialStatistics& trials, const std::string& what)
       "Of {} wrong answers in {}, {} named the level beside on the same side, {} the same level on the other side, {} "
       "another place, {} none in time.",
       trials.counted - trials.correct, what, wrong.beside, wrong.other_side, wrong.elsewhere, wrong.none);
-  return elementOf("p", where) + "\n" + foldedHtml(trf("Counts: {}", what), tableOf("numbers", head, rows));
+  return htmlElement("p", where) + "\n" + foldedHtml(trf("Counts: {}", what), tableOf("numbers", head, rows));
 }
 
 std::string qualitySection(const TrainingReport& report) {
-  std::string html = elementOf("h2", tr("Data quality")) + "\n";
+  std::string html = htmlElement("h2", tr("Data quality")) + "\n";
   const training::TrainingStatistics& statistics = report.statistics;
   html += checksTable(statistics.all.tests, statistics.all.practice);
   training::Reasons excluded;
@@ -349,11 +351,12 @@ std::string qualitySection(const TrainingReport& report) {
     for (const auto& [reason, count] : trainee.excluded) excluded[reason] += count;
     changed += trainee.changed_results;
   }
-  if (!excluded.empty()) html += elementOf("p", trf("Left out, with the reason: {}.", reasonsWords(excluded))) + "\n";
-  html += elementOf("p", changed == 0 ? tr("Every stored result is the one that its trials give.")
-                                      : trf("{} stored results are not what their trials give: the record was "
-                                            "changed, or written by another version.",
-                                            changed)) +
+  if (!excluded.empty())
+    html += htmlElement("p", trf("Left out, with the reason: {}.", formatReasonCounts(excluded))) + "\n";
+  html += htmlElement("p", changed == 0 ? tr("Every stored result is the one that its trials give.")
+                                        : trf("{} stored results are not what their trials give: the record was "
+                                              "changed, or written by another version.",
+                                              changed)) +
           "\n";
   if (!report.of_class) html += sessionsTable(statistics.trainees.front());
   std::vector<Cells> protocols;
@@ -366,7 +369,7 @@ std::string qualitySection(const TrainingReport& report) {
 }
 
 std::string foldedHtml(const std::string& heading, const std::string& html) {
-  return "<details>" + elementOf("summary", heading) + html + "</details>\n";
+  return "<details>" + htmlElement("summary", heading) + html + "</details>\n";
 }
 
 }  // namespace palpate::app

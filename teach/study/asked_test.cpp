@@ -29,7 +29,7 @@ namespace {
 /// Below this an answer is as good as impossible, and its logarithm is left out.
 constexpr double kNoProbability = 1e-12;
 
-int choicesOf(const Psychometric& trainee) { return static_cast<int>(std::lround(1.0 / trainee.guess)); }
+int choiceCount(const Psychometric& trainee) { return static_cast<int>(std::lround(1.0 / trainee.guess)); }
 
 std::vector<double> vhbRising() { return {kVhbLevels.rbegin(), kVhbLevels.rend()}; }
 
@@ -84,7 +84,7 @@ class Answering {
  public:
   Answering(const Psychometric& trainee, std::uint64_t seed) : trainee_(trainee), random_(seed ^ 0x5bd1e995u) {}
   Answer answer(double change) {
-    return {change, random_.uniform() < training::probabilityCorrect(trainee_, change), choicesOf(trainee_)};
+    return {change, random_.uniform() < training::probabilityCorrect(trainee_, change), choiceCount(trainee_)};
   }
 
  private:
@@ -174,7 +174,7 @@ std::string nameOf(AskedBy method) {
 
 AskedTest askedTest(AskedBy method, const Psychometric& trainee, int trials, std::uint64_t seed) {
   Answering answering(trainee, seed);
-  const int choices = choicesOf(trainee);
+  const int choices = choiceCount(trainee);
   BlockSettings settings{.choices = choices, .stop = {trials, trials}};
   const std::vector<double> levels = adaptiveLevels(ChangeMeaning::compliance);
   switch (method) {
@@ -220,13 +220,13 @@ Posterior believed(const std::vector<Answer>& answers, int choices) {
 
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next{0};
-  const auto take = [&] {
+  const auto run_pieces = [&] {
     for (std::size_t i = next++; i < count; i = next++) work(i);
   };
-  if (processors() < 2) return take();
-  Background beside(take);
+  if (processors() < 2) return run_pieces();
+  Background beside(run_pieces);
   try {
-    take();
+    run_pieces();
   } catch (...) {
     next = count;  // the other ends after its piece
     throw;

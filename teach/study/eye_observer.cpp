@@ -25,14 +25,14 @@ double meanOfReadings(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double varianceOf(const std::vector<double>& values) {
+double sampleVariance(const std::vector<double>& values) {
   const double mean = meanOfReadings(values);
   double squares = 0.0;
   for (const double value : values) squares += (value - mean) * (value - mean);
   return values.size() < 2 ? 0.0 : squares / static_cast<double>(values.size() - 1);
 }
 
-std::vector<double> readingsOf(const std::vector<EyeReading>& presses, double EyeReading::*kind) {
+std::vector<double> extractReadings(const std::vector<EyeReading>& presses, double EyeReading::*kind) {
   std::vector<double> values;
   for (const EyeReading& press : presses) values.push_back(press.*kind);
   return values;
@@ -54,9 +54,9 @@ double normalAt(const std::vector<double>& normal_px, int site) {
 
 double EyeNoise::of(double length_px) const { return std::hypot(floor_px, share * length_px); }
 
-double dPrimeOf(const std::vector<double>& normal, const std::vector<double>& odd, const EyeNoise& noise) {
+double computeDPrime(const std::vector<double>& normal, const std::vector<double>& odd, const EyeNoise& noise) {
   const double reader = noise.of(meanOfReadings(normal));
-  const double places = 0.5 * (varianceOf(normal) + varianceOf(odd));
+  const double places = 0.5 * (sampleVariance(normal) + sampleVariance(odd));
   return (meanOfReadings(normal) - meanOfReadings(odd)) / std::sqrt(places + reader * reader);
 }
 
@@ -85,16 +85,16 @@ EyeMeasurement measureEye(std::uint64_t seed, std::size_t tests, int sites, cons
   EyeMeasurement found{.seed = seed};
   EyePictures pictures(protocol);
   found.sites = readSites(pictures, kComparedChange, sites, progress);
-  const std::vector<double> sinks = readingsOf(found.sites.normal, &EyeReading::sink);
-  const std::vector<double> odd_sinks = readingsOf(found.sites.stiffer, &EyeReading::sink);
-  const std::vector<double> rings = readingsOf(found.sites.normal, &EyeReading::rings);
-  const std::vector<double> odd_rings = readingsOf(found.sites.stiffer, &EyeReading::rings);
+  const std::vector<double> sinks = extractReadings(found.sites.normal, &EyeReading::sink);
+  const std::vector<double> odd_sinks = extractReadings(found.sites.stiffer, &EyeReading::sink);
+  const std::vector<double> rings = extractReadings(found.sites.normal, &EyeReading::rings);
+  const std::vector<double> odd_rings = extractReadings(found.sites.stiffer, &EyeReading::rings);
   found.sink_normal_px = meanOfReadings(sinks);
   found.sink_stiffer_px = meanOfReadings(odd_sinks);
   found.rings_normal_px = meanOfReadings(rings);
   found.rings_stiffer_px = meanOfReadings(odd_rings);
-  found.d_prime_sink = dPrimeOf(sinks, odd_sinks, found.noise);
-  found.d_prime_rings = dPrimeOf(rings, odd_rings, found.noise);
+  found.d_prime_sink = computeDPrime(sinks, odd_sinks, found.noise);
+  found.d_prime_rings = computeDPrime(rings, odd_rings, found.noise);
   for (std::size_t i = 0; i < sinks.size(); ++i) {
     const double line = sinks[i] * (1.0 - kComparedChange);
     found.off_line_percent = std::max(found.off_line_percent, 100.0 * std::abs(odd_sinks[i] / line - 1.0));
@@ -200,9 +200,9 @@ Figure eyeFigure(const EyeMeasurement& found) {
   plot.y = {.label = "sink in the close view", .unit = "px", .from = 0.0};
   std::vector<double> place(found.sites.normal.size());
   std::iota(place.begin(), place.end(), 1.0);
-  plot.series = {
-      measuredSeries("normal", place, readingsOf(found.sites.normal, &EyeReading::sink)),
-      measuredSeries("40 % less compliant", place, readingsOf(found.sites.stiffer, &EyeReading::sink), Marker::square)};
+  plot.series = {measuredSeries("normal", place, extractReadings(found.sites.normal, &EyeReading::sink)),
+                 measuredSeries("40 % less compliant", place, extractReadings(found.sites.stiffer, &EyeReading::sink),
+                                Marker::square)};
   return {.panels = {std::move(plot)}, .columns = 1};
 }
 

@@ -28,7 +28,7 @@ struct EyeNoise {
 };
 
 /// How far the odd one is from the others, in standard deviations of one reading: places differ, and the reader errs.
-double dPrimeOf(const std::vector<double>& normal, const std::vector<double>& odd, const EyeNoise& noise);
+double computeDPrime(const std::vector<double>& normal, const std::vector<double>& odd, const EyeNoise& noise);
 
 /// One test of the protocol's length. The reading of a place with change d is that of the place without it times
 /// (1 - d): even tissue answers by Hooke's law, and the picture is linear in depth (checked against pictures).

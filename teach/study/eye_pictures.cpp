@@ -153,7 +153,7 @@ struct EyePictures::Impl {
     skin.follow(std::span<const contact::FingerOutput>(&mark.contact, 1));
     const std::vector<view::Lines> rings = view::sinkRings(world, mark.contact);
     return studio
-        .take(skin.surface(), {.fingers = {&mark, 1}, .marks = rings}, settings, {kPictureWidth, kPictureHeight, 1})
+        .capture(skin.surface(), {.fingers = {&mark, 1}, .marks = rings}, settings, {kPictureWidth, kPictureHeight, 1})
         .image;
   }
 

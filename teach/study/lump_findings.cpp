@@ -54,7 +54,7 @@ FindingValues forceAlone(const ExaminedGroup& later, const ExaminedGroup& earlie
           {"explains", shortfall < kFarOff}};
 }
 
-const CueRow& rowOf(const LumpMeasurement& found, double diameter_mm, double young_kpa) {
+const CueRow& findCueRow(const LumpMeasurement& found, double diameter_mm, double young_kpa) {
   const auto row = std::find_if(found.cues.begin(), found.cues.end(), [&](const CueRow& one) {
     return one.diameter_mm == diameter_mm && one.young_kpa == young_kpa;
   });
@@ -64,7 +64,7 @@ const CueRow& rowOf(const LumpMeasurement& found, double diameter_mm, double you
 FindingValues hardnessAndSize(const LumpMeasurement& found) {
   const SiliconeSet& set = found.set;
   const auto pattern = [&](std::size_t size, std::size_t hardness) {
-    return rowOf(found, set.diameters_mm[size], set.young_kpa[hardness]).by_depth[0].pattern;
+    return findCueRow(found, set.diameters_mm[size], set.young_kpa[hardness]).by_depth[0].pattern;
   };
   const double hardness = pattern(1, 2) / pattern(1, 0);
   const double size = pattern(2, 1) / pattern(0, 1);
@@ -111,7 +111,7 @@ FindingValues assumptions(const LumpMeasurement& found) {
 std::vector<std::string> lumpFindings(const LumpMeasurement& found) {
   const ExaminedGroup& later = found.groups.at(0);
   const ExaminedGroup& earlier = found.groups.at(1);
-  return findingsOf(
+  return formatFindings(
       texts::lump_findings,
       {{"group",
         {groupValues(later, LumpMeasurement::kLaterBarPoints), groupValues(earlier, LumpMeasurement::k1985BarPoints)}},

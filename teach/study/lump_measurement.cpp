@@ -54,12 +54,12 @@ ExaminedGroup studyOf1985() {
 
 // ------------------------------------------------------------------------------------------- the set, felt
 
-bool isOf(const LumpsOfSet& wanted, const LumpsOfSet& lump) {
+bool matches(const LumpsOfSet& wanted, const LumpsOfSet& lump) {
   const auto fits = [](std::size_t a, std::size_t b) { return a == LumpsOfSet::kAll || a == b; };
   return fits(wanted.size, lump.size) && fits(wanted.hardness, lump.hardness) && fits(wanted.depth, lump.depth);
 }
 
-lumps::LumpSheet sheetOf(const SiliconeSet& set) {
+lumps::LumpSheet makeLumpSheet(const SiliconeSet& set) {
   constexpr double kMatrixMm = 40.0;  // so thick that the board below is not felt
   constexpr double kDeepestMm = 14.0;
   elements::StackSettings settings;
@@ -71,7 +71,7 @@ lumps::LumpSheet sheetOf(const SiliconeSet& set) {
   return lumps::LumpSheet(elements::solveStack(stack, settings).press.table);
 }
 
-tissue::LumpShape ballOf(double diameter_mm, double young_kpa, double centre_mm) {
+tissue::LumpShape makeBall(double diameter_mm, double young_kpa, double centre_mm) {
   const double half = 0.5 * diameter_mm;
   return {.half_axes_mm = {half, half, half}, .depth_mm = centre_mm - half, .young_kpa = young_kpa};
 }
@@ -93,12 +93,12 @@ struct FeltSet {
 
 FeltSet feltSet(const SiliconeSet& set) {
   constexpr double kStepMm = 0.5;
-  FeltSet felt{.sheet = sheetOf(set), .lumps = {}};
+  FeltSet felt{.sheet = makeLumpSheet(set), .lumps = {}};
   felt.depth_mm = felt.sheet.depthAt(set.press_n);
   for (std::size_t size = 0; size < set.diameters_mm.size(); ++size) {
     for (std::size_t hardness = 0; hardness < set.young_kpa.size(); ++hardness) {
       for (std::size_t depth = 0; depth < set.centres_mm.size(); ++depth) {
-        const auto ball = ballOf(set.diameters_mm[size], set.young_kpa[hardness], set.centres_mm[depth]);
+        const auto ball = makeBall(set.diameters_mm[size], set.young_kpa[hardness], set.centres_mm[depth]);
         felt.lumps.push_back({{size, hardness, depth}, felt.sheet.with(ball)});
       }
     }
@@ -113,22 +113,22 @@ FeltSet feltSet(const SiliconeSet& set) {
 }
 
 /// How often a large group finds a lump, %: the mean over evenly drawn strokes.
-double expectedOf(const FeltLump& lump, const LumpObserver& observer) {
+double expectedPercentFound(const FeltLump& lump, const LumpObserver& observer) {
   double sum = 0.0;
   const std::size_t last = lump.strokes.size() - 1;
   for (std::size_t i = 0; i <= last; ++i) {
     const double share = i == 0 || i == last ? 0.5 : 1.0;
-    sum += share * lumps::detectionOf(lumps::clearestOf(lump.strokes[i], observer), observer);
+    sum += share * lumps::detectionProbability(lumps::maxClarity(lump.strokes[i], observer), observer);
   }
   return 100.0 * sum / static_cast<double>(last);
 }
 
-double expectedOf(const FeltSet& set, const LumpsOfSet& wanted, const LumpObserver& observer) {
+double expectedPercentFound(const FeltSet& set, const LumpsOfSet& wanted, const LumpObserver& observer) {
   double sum = 0.0;
   double count = 0.0;
   for (const FeltLump& lump : set.lumps) {
-    if (!isOf(wanted, lump.which)) continue;
-    sum += expectedOf(lump, observer);
+    if (!matches(wanted, lump.which)) continue;
+    sum += expectedPercentFound(lump, observer);
     count += 1.0;
   }
   return count > 0.0 ? sum / count : 0.0;
@@ -155,12 +155,12 @@ LumpObserver fittedObserver(const FeltSet& set, double large_percent, double sma
     observer.spread = spread;
     return rootBetween(1e-4, 10.0, [&](double weber) {
       observer.pattern_weber = weber;
-      return expectedOf(set, {.size = 2}, observer) > large_percent;
+      return expectedPercentFound(set, {.size = 2}, observer) > large_percent;
     });
   };
   const double spread = rootBetween(0.1, 30.0, [&](double tried) {
     observer.pattern_weber = weberAt(tried);
-    return expectedOf(set, {.size = 0}, observer) < small_percent;
+    return expectedPercentFound(set, {.size = 0}, observer) < small_percent;
   });
   observer.pattern_weber = weberAt(spread);
   observer.spread = spread;
@@ -172,7 +172,7 @@ LumpObserver fittedObserver(const FeltSet& set, double large_percent, double sma
 /// Streams of random numbers that no two parts of the study share.
 enum class LumpPart : std::uint64_t { later = 1, jama_1985, detection = 10, sizes = 20 };
 
-std::uint64_t seedOf(const LumpPlan& plan, LumpPart part, std::size_t person) {
+std::uint64_t personSeed(const LumpPlan& plan, LumpPart part, std::size_t person) {
   constexpr std::uint64_t kApart = 7000;  // a number of its own, which the quoted figures come from
   return runSeed(plan.seed, kApart + static_cast<std::uint64_t>(part), person);
 }
@@ -184,7 +184,7 @@ std::vector<bool> examined(const FeltSet& set, const LumpObserver& observer, Ran
   for (const FeltLump& lump : set.lumps) {
     const double beside_mm = lumps::drawStroke(random);
     const auto cues = lumps::strokePast(lump.skin, beside_mm, set.depth_mm, observer.taxels);
-    found.push_back(lumps::finds(lumps::clearestOf(cues, observer), skill, observer, random));
+    found.push_back(lumps::finds(lumps::maxClarity(cues, observer), skill, observer, random));
   }
   return found;
 }
@@ -196,7 +196,7 @@ struct MeanOfPeople {
 };
 
 /// Mean of shares, in percent, with its 95 % interval.
-MeanOfPeople meanOf(const std::vector<double>& shares) {
+MeanOfPeople meanWithInterval(const std::vector<double>& shares) {
   const auto count = static_cast<double>(shares.size());
   double sum = 0.0;
   double squares = 0.0;
@@ -212,32 +212,32 @@ MeanOfPeople meanOf(const std::vector<double>& shares) {
 void examine(const FeltSet& set, const LumpPlan& plan, LumpPart part, ExaminedGroup& group) {
   std::vector<std::vector<bool>> people(plan.people);
   parallelFor(plan.people,
-              [&](std::size_t i) { people[i] = examined(set, group.observer, Random(seedOf(plan, part, i))); });
+              [&](std::size_t i) { people[i] = examined(set, group.observer, Random(personSeed(plan, part, i))); });
   for (DetectionFigure& figure : group.figures) {
     std::vector<double> shares;
     for (const std::vector<bool>& found : people) {
       double hits = 0.0;
       double all = 0.0;
       for (std::size_t i = 0; i < found.size(); ++i) {
-        if (!isOf(figure.lumps, set.lumps[i].which)) continue;
+        if (!matches(figure.lumps, set.lumps[i].which)) continue;
         hits += found[i] ? 1.0 : 0.0;
         all += 1.0;
       }
       shares.push_back(hits / all);
     }
-    const MeanOfPeople mean = meanOf(shares);
+    const MeanOfPeople mean = meanWithInterval(shares);
     figure.found = mean.mean;
     figure.low = mean.low;
     figure.high = mean.high;
-    figure.expected = expectedOf(set, figure.lumps, group.observer);
+    figure.expected = expectedPercentFound(set, figure.lumps, group.observer);
   }
   LumpObserver force_only = group.observer;
   force_only.field = false;
-  group.force_only_mean = expectedOf(set, {}, force_only);
-  group.force_only_smallest = expectedOf(set, {.size = 0}, force_only);
-  group.expected_mean = expectedOf(set, {}, group.observer);
-  group.expected_easiest = expectedOf(set, {.size = 2, .hardness = 2}, group.observer);
-  group.expected_hardest = expectedOf(set, {.size = 0, .hardness = 0}, group.observer);
+  group.force_only_mean = expectedPercentFound(set, {}, force_only);
+  group.force_only_smallest = expectedPercentFound(set, {.size = 0}, force_only);
+  group.expected_mean = expectedPercentFound(set, {}, group.observer);
+  group.expected_easiest = expectedPercentFound(set, {.size = 2, .hardness = 2}, group.observer);
+  group.expected_hardest = expectedPercentFound(set, {.size = 0, .hardness = 0}, group.observer);
 }
 
 // ------------------------------------------------------------------------------------------- two presses
@@ -250,7 +250,7 @@ LumpCue clearestCue(const FeltSet& set, double diameter_mm, const LumpObserver& 
   const tissue::LumpShape lump{.half_axes_mm = {half, half, half}, .depth_mm = kTopMm, .stiffness_ratio = kRatio};
   const auto cues = lumps::strokePast(set.sheet.with(lump), 0.0, set.depth_mm, observer.taxels);
   return *std::max_element(cues.begin(), cues.end(), [&](const LumpCue& a, const LumpCue& b) {
-    return lumps::clarityOf(a, observer) < lumps::clarityOf(b, observer);
+    return lumps::computeClarity(a, observer) < lumps::computeClarity(b, observer);
   });
 }
 
@@ -265,7 +265,7 @@ void answer(const LumpPlan& plan, LumpPart part, std::size_t row, TwoPresses& pr
   constexpr int kTrials = 10;
   std::vector<double> shares(plan.people);
   for (std::size_t i = 0; i < plan.people; ++i) {
-    Random random(seedOf(plan, part, i) + row);
+    Random random(personSeed(plan, part, i) + row);
     int right = 0;
     for (int trial = 0; trial < kTrials; ++trial) {
       const double with = presses.d_prime + random.normal();
@@ -273,7 +273,7 @@ void answer(const LumpPlan& plan, LumpPart part, std::size_t row, TwoPresses& pr
     }
     shares[i] = right / static_cast<double>(kTrials);
   }
-  const MeanOfPeople mean = meanOf(shares);
+  const MeanOfPeople mean = meanWithInterval(shares);
   presses.found = mean.mean;
   presses.low = mean.low;
   presses.high = mean.high;
@@ -284,7 +284,7 @@ void answer(const LumpPlan& plan, LumpPart part, std::size_t row, TwoPresses& pr
 void measureTwoPresses(const FeltSet& set, const LumpObserver& later, LumpMeasurement& found) {
   constexpr double kSmallMm = 5.0;
   constexpr double kLargeMm = 7.0;
-  const auto cueOf = [&](double diameter_mm, const LumpObserver& observer) {
+  const auto clearestCueAt = [&](double diameter_mm, const LumpObserver& observer) {
     return clearestCue(set, diameter_mm, observer);
   };
   const auto with = [&](std::size_t taxels) {
@@ -300,13 +300,14 @@ void measureTwoPresses(const FeltSet& set, const LumpObserver& later, LumpMeasur
   for (std::size_t i = 0; i < found.detection.size(); ++i) {
     TwoPresses& row = found.detection[i];
     const LumpObserver observer = with(row.taxels);
-    row.d_prime = lumps::clarityOf(cueOf(kSmallMm, observer), observer);
+    row.d_prime = lumps::computeClarity(clearestCueAt(kSmallMm, observer), observer);
     answer(found.plan, LumpPart::detection, i, row);
   }
   for (std::size_t i = 0; i < found.sizes.size(); ++i) {
     TwoPresses& row = found.sizes[i];
     const LumpObserver observer = with(row.taxels);
-    row.d_prime = lumps::clarityOf(moreThan(cueOf(kLargeMm, observer), cueOf(kSmallMm, observer)), observer);
+    row.d_prime =
+        lumps::computeClarity(moreThan(clearestCueAt(kLargeMm, observer), clearestCueAt(kSmallMm, observer)), observer);
     answer(found.plan, LumpPart::sizes, i, row);
   }
 }
@@ -358,14 +359,14 @@ void assumeOtherwise(const Progress& progress, LumpMeasurement& found) {
     AssumedOtherwise row{.words = others[i].words, .expected = {}};
     row.observer = fittedObserver(set, later.figure("size_1_0").printed, later.figure("size_0_3").printed);
     for (const DetectionFigure& figure : later.figures) {
-      row.expected.push_back(expectedOf(set, figure.lumps, row.observer));
+      row.expected.push_back(expectedPercentFound(set, figure.lumps, row.observer));
     }
     found.otherwise.push_back(std::move(row));
   }
 }
 
 /// Right over every lump.
-void tellCues(const FeltSet& felt, LumpMeasurement& found) {
+void collectCues(const FeltSet& felt, LumpMeasurement& found) {
   const std::size_t depths = found.set.centres_mm.size();
   for (std::size_t i = 0; i < felt.lumps.size(); i += depths) {
     const LumpsOfSet& which = felt.lumps[i].which;
@@ -413,7 +414,7 @@ LumpMeasurement measureLumps(const LumpPlan& plan, const Progress& progress) {
     group.observer = fittedObserver(set, group.figure("size_1_0").printed, group.figure("size_0_3").printed);
     examine(set, plan, group.name == "later" ? LumpPart::later : LumpPart::jama_1985, group);
   }
-  tellCues(set, found);
+  collectCues(set, found);
   measureTwoPresses(set, found.groups.front().observer, found);
   if (plan.otherwise) assumeOtherwise(progress, found);
   return found;

@@ -177,7 +177,7 @@ std::vector<std::pair<std::string, double>> lumpNumbers(const LumpMeasurement& f
   return numbers;
 }
 
-std::vector<std::pair<std::string, std::vector<std::string>>> lumpWords(const LumpMeasurement& found) {
+std::vector<std::pair<std::string, std::vector<std::string>>> lumpLabels(const LumpMeasurement& found) {
   std::vector<std::pair<std::string, std::vector<std::string>>> words;
   for (const ExaminedGroup& group : found.groups) {
     std::vector<std::string> fitted;
@@ -245,7 +245,7 @@ StudyPage studyLumps(const StudySettings& settings) {
                           .columns = 2}}},
       .numbers = lumpNumbers(found),
       .numbers_on_top = true,
-      .words = lumpWords(found)};
+      .words = lumpLabels(found)};
   if (settings.seed || settings.cases) {
     page.command = fmt::format("palpate study lumps --seed {} --cases {}{} --out DIR", plan.seed, plan.people,
                                settings.quick ? " --quick" : "");

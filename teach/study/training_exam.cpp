@@ -80,7 +80,7 @@ void measureLeftOut(TrainingMeasurement& found, const Progress& progress) {
       naive.push_back(run.naive);
       usable += run.usable / static_cast<double>(runs);
     }
-    found.exploration.push_back({searched, cellOf(kTruth, corrected), cellOf(kTruth, naive), usable});
+    found.exploration.push_back({searched, summariseCell(kTruth, corrected), summariseCell(kTruth, naive), usable});
   }
 }
 
@@ -103,7 +103,7 @@ void measureExam(TrainingMeasurement& found, const Progress& progress) {
     const auto share = [&](const std::vector<ExamRun>& exams, Verdict verdict) {
       const auto such =
           std::count_if(exams.begin(), exams.end(), [&](const ExamRun& run) { return run.verdict == verdict; });
-      return shareOf(static_cast<std::size_t>(such), exams.size());
+      return computeShare(static_cast<std::size_t>(such), exams.size());
     };
     ExamRow row{.truth = truths[t],
                 .fixed_pass = share(at_once, Verdict::pass),

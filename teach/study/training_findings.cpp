@@ -26,7 +26,7 @@ std::string thresholdBarsFinding(const TrainingMeasurement& found) {
 }
 
 std::string recoveryFinding(const TrainingMeasurement& found) {
-  const CellExtremes of = extremesOf(rowOf(found, AskedBy::marginal_psi).cells);
+  const CellExtremes of = findExtremes(findMethodRow(found, AskedBy::marginal_psi).cells);
   return fmt::format(
       "Forty trials among twelve places, levels by marginal psi, give back thresholds of 7, 14 and 28 % with a bias of "
       "at most {:.2f} percentage points and an SD of ln T of at most {:.3f}; the 95 % interval holds the truth in "
@@ -38,13 +38,13 @@ std::string recoveryFinding(const TrainingMeasurement& found) {
 
 std::optional<std::string> methodsFinding(const TrainingMeasurement& found) {
   if (!found.plan.all) return {};
-  const MethodRow& best = rowOf(found, AskedBy::marginal_psi);
-  const MethodRow& walk = rowOf(found, AskedBy::two_down);
-  const MethodRow& constant = rowOf(found, AskedBy::constant);
+  const MethodRow& best = findMethodRow(found, AskedBy::marginal_psi);
+  const MethodRow& walk = findMethodRow(found, AskedBy::two_down);
+  const MethodRow& constant = findMethodRow(found, AskedBy::constant);
   const auto trials = [](const MethodRow& row) {
     return row.most_to_15 > 0 ? fmt::format("{} to {}", row.least_to_15, row.most_to_15) : std::string("more than 80");
   };
-  const double ratio = extremesOf(walk.cells).sd_ln / extremesOf(best.cells).sd_ln;
+  const double ratio = findExtremes(walk.cells).sd_ln / findExtremes(best.cells).sd_ln;
   return fmt::format(
       "The fit matters more than the rule: 2-down-1-up with the same fit has an SD {:.2f} times that of marginal "
       "psi{}. Until the error of ln T stays below 15 % it takes {} trials by marginal psi, {} by 2-down-1-up and {} at "
@@ -68,7 +68,7 @@ std::optional<std::string> outsideFinding(const TrainingMeasurement& found) {
   if (found.robust.size() < 4) return {};
   std::vector<std::string> rows;
   for (std::size_t i = 0; i < 4; ++i) {
-    const CellExtremes of = extremesOf(found.robust[i].cells);
+    const CellExtremes of = findExtremes(found.robust[i].cells);
     rows.push_back(
         fmt::format("{}: {:.1f} points, {:.1f} %", found.robust[i].name, of.bias_points, 100.0 * of.coverage_least));
   }
@@ -82,7 +82,7 @@ std::optional<std::string> stopFinding(const TrainingMeasurement& found) {
   std::vector<std::string> rules;
   double least = 1.0;
   for (const NamedCells& rule : found.stop_rules) {
-    const CellExtremes of = extremesOf(rule.cells);
+    const CellExtremes of = findExtremes(rule.cells);
     least = std::min(least, of.coverage_least);
     rules.push_back(fmt::format("{}: {:.0f} trials on average, SD {:.2f}, coverage {:.3f} at least", rule.name,
                                 of.mean_trials, of.sd_ln, of.coverage_least));
@@ -134,7 +134,7 @@ std::string examinationFinding(const TrainingMeasurement& found) {
 
 std::optional<std::string> twoFinding(const TrainingMeasurement& found) {
   if (found.two_intervals.cells.empty()) return {};
-  const CellExtremes of = extremesOf(found.two_intervals.cells);
+  const CellExtremes of = findExtremes(found.two_intervals.cells);
   return fmt::format(
       "Two intervals take five times the trials: after 200 the bias is {:.1f} points and the SD of ln T "
       "{:.2f}. Twelve places are what to measure with.",

@@ -25,7 +25,7 @@ constexpr int kTestTrials = 40;
 /// Where the interval of a test's user ends: SD of ln T that trials are counted until.
 constexpr double kWantedError = 0.15;
 /// Reversals whose mean is reported without a posterior.
-constexpr std::size_t kToldReversals = 6;
+constexpr std::size_t kReportedReversals = 6;
 
 /// Result of one run of the main table.
 struct RecoveryRun {
@@ -73,7 +73,7 @@ MethodRow methodRow(const TrainingMeasurement& found, AskedBy method, std::size_
       squares[i] += rms[i] / static_cast<double>(runs * found.truths.size());
       rms[i] = std::sqrt(rms[i] / static_cast<double>(runs));
     }
-    row.cells.push_back(cellOf(truth, reported));
+    row.cells.push_back(summariseCell(truth, reported));
     const int trials = trialsTo(rms);
     row.least_to_15 = t == 0 ? trials : std::min(row.least_to_15, trials);
     row.most_to_15 = t == 0 ? trials : (trials == 0 || row.most_to_15 == 0 ? 0 : std::max(row.most_to_15, trials));
@@ -83,20 +83,20 @@ MethodRow methodRow(const TrainingMeasurement& found, AskedBy method, std::size_
 }
 
 /// One way to read a run without a posterior: 0 where it has none.
-struct ToldReading {
+struct PlainReading {
   double value = 0.0;
   double sd_of_mean = 0.0;
 };
 
-ToldReading reversalMean(const std::vector<double>& reversals) {
-  if (reversals.size() < kToldReversals) return {};
+PlainReading reversalMean(const std::vector<double>& reversals) {
+  if (reversals.size() < kReportedReversals) return {};
   double sum = 0.0;
   double squares = 0.0;
-  for (std::size_t i = reversals.size() - kToldReversals; i < reversals.size(); ++i) {
+  for (std::size_t i = reversals.size() - kReportedReversals; i < reversals.size(); ++i) {
     sum += reversals[i];
     squares += reversals[i] * reversals[i];
   }
-  const auto n = static_cast<double>(kToldReversals);
+  const auto n = static_cast<double>(kReportedReversals);
   const double mean = sum / n;
   return {mean, std::sqrt(std::max(0.0, squares / n - mean * mean) / (n - 1.0))};
 }
@@ -117,7 +117,7 @@ ReadingRow readingRow(const TrainingMeasurement& found, const std::string& name,
     const Psychometric trainee = usualTrainee(found.truths[t]);
     const double aim = changeRight(trainee, std::sqrt(0.5));
     const std::uint64_t cell = cellNumber(TrainingPart::recovery, 500 + 10 * static_cast<std::size_t>(method) + t);
-    std::vector<ToldReading> each(runs);
+    std::vector<PlainReading> each(runs);
     parallelFor(runs, [&](std::size_t i) {
       each[i] = read(askedTest(method, trainee, kTestTrials, runSeed(found.plan.seed, cell, i)));
     });
@@ -125,7 +125,7 @@ ReadingRow readingRow(const TrainingMeasurement& found, const std::string& name,
     double sum_ln = 0.0;
     double squares = 0.0;
     double n = 0.0;
-    for (const ToldReading& reading : each) {
+    for (const PlainReading& reading : each) {
       if (!(reading.value > 0.0)) continue;
       const double ln = std::log(reading.value / trainee.threshold);
       sum += reading.value / trainee.threshold;
@@ -140,8 +140,8 @@ ReadingRow readingRow(const TrainingMeasurement& found, const std::string& name,
     row.most_ratio = std::max(row.most_ratio, sum / n);
     row.sd_ln = std::max(row.sd_ln, std::sqrt(std::max(0.0, squares / n - sum_ln * sum_ln / (n * n))));
   }
-  row.told = shareOf(told, runs * found.truths.size());
-  row.coverage = shareOf(covered, told);
+  row.told = computeShare(told, runs * found.truths.size());
+  row.coverage = computeShare(covered, told);
   return row;
 }
 
@@ -162,7 +162,7 @@ RecoveryCell blockCell(const BlockSettings& settings, const Psychometric& traine
     reported[i] = result.threshold;
     trials[i] = result.trials;
   });
-  return cellOf(trainee.threshold, reported, trials);
+  return summariseCell(trainee.threshold, reported, trials);
 }
 
 void timeNextLevel(TrainingMeasurement& found) {
@@ -186,13 +186,14 @@ void timeNextLevel(TrainingMeasurement& found) {
 
 }  // namespace
 
-double shareOf(std::size_t some, std::size_t all) {
+double computeShare(std::size_t some, std::size_t all) {
   return all > 0 ? static_cast<double>(some) / static_cast<double>(all) : 0.0;
 }
 
 std::uint64_t cellNumber(TrainingPart part, std::size_t cell) { return static_cast<std::uint64_t>(part) * 1000 + cell; }
 
-RecoveryCell cellOf(double truth, const std::vector<ThresholdSummary>& reported, const std::vector<double>& trials) {
+RecoveryCell summariseCell(double truth, const std::vector<ThresholdSummary>& reported,
+                           const std::vector<double>& trials) {
   RecoveryCell cell{.truth = truth, .mean_trials = trials.empty() ? kTestTrials : 0.0};
   const auto runs = static_cast<double>(reported.size());
   double mean_ln = 0.0;
@@ -205,7 +206,7 @@ RecoveryCell cellOf(double truth, const std::vector<ThresholdSummary>& reported,
     squares += ln * ln / runs;
     if (one.low <= truth && truth <= one.high) ++held;
   }
-  cell.coverage = shareOf(held, reported.size());
+  cell.coverage = computeShare(held, reported.size());
   cell.sd_ln = std::sqrt(std::max(0.0, squares - mean_ln * mean_ln));
   for (const double one : trials) cell.mean_trials += one / runs;
   cell.trials_90 = cell.mean_trials;
@@ -232,9 +233,10 @@ void measureRecovery(TrainingMeasurement& found, const Progress& progress) {
                                       [](const AskedTest& test) { return reversalMean(test.reversals); }));
   found.readings.push_back(readingRow(found, "mastery 3 of 4, until the first level that fails", mastery,
                                       plan.beside_runs,
-                                      [](const AskedTest& test) { return ToldReading{test.first_failed}; }));
+                                      [](const AskedTest& test) { return PlainReading{test.first_failed}; }));
   found.readings.push_back(readingRow(found, "mastery 3 of 4, up and down, smallest mastered", mastery,
-                                      plan.beside_runs, [](const AskedTest& test) { return ToldReading{test.level}; }));
+                                      plan.beside_runs,
+                                      [](const AskedTest& test) { return PlainReading{test.level}; }));
   for (std::size_t i = 1; i < found.readings.size(); ++i) found.readings[i].coverage = 0.0;  // levels have no interval
 }
 

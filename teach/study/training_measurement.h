@@ -190,8 +190,8 @@ struct TrainingMeasurement {
 TrainingMeasurement measureTraining(const TrainingPlan& plan, const Progress& progress);
 
 /// Summarises one cell, by the reported summaries of its runs.
-RecoveryCell cellOf(double truth, const std::vector<training::ThresholdSummary>& reported,
-                    const std::vector<double>& trials = {});
+RecoveryCell summariseCell(double truth, const std::vector<training::ThresholdSummary>& reported,
+                           const std::vector<double>& trials = {});
 
 // Findings of simulated trainees' tests, in sentences whose verdicts their numbers decide.
 

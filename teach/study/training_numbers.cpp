@@ -24,8 +24,8 @@ TrainingBar noLess(std::string what, double bar, double reached) {
 }
 
 void addRecovery(std::vector<TrainingBar>& bars, const TrainingMeasurement& found, AskedBy method) {
-  const MethodRow& row = rowOf(found, method);
-  const CellExtremes of = extremesOf(row.cells);
+  const MethodRow& row = findMethodRow(found, method);
+  const CellExtremes of = findExtremes(row.cells);
   const std::string name = nameOf(method);
   bars.push_back(notOver(name + ", 40 trials, T of 7, 14, 28 %: bias", 1.0, of.bias_points, " points"));
   bars.push_back(notOver(name + ": SD of ln T", 0.16, of.sd_ln));
@@ -40,14 +40,14 @@ void addRecovery(std::vector<TrainingBar>& bars, const TrainingMeasurement& foun
 void addOutside(std::vector<TrainingBar>& bars, const TrainingMeasurement& found) {
   if (found.robust.size() < 4) return;
   for (std::size_t i = 0; i < 4; ++i) {
-    const CellExtremes of = extremesOf(found.robust[i].cells);
+    const CellExtremes of = findExtremes(found.robust[i].cells);
     const bool lapses = i < 2;
     bars.push_back(notOver(found.robust[i].name + ": bias", lapses ? 1.8 : 2.2, of.bias_points, " points"));
     bars.push_back(noLess(found.robust[i].name + ": coverage", lapses ? 0.93 : 0.86, of.coverage_least));
   }
   for (const NamedCells& rule : found.stop_rules) {
     if (rule.name != "0.35") continue;
-    const CellExtremes of = extremesOf(rule.cells);
+    const CellExtremes of = findExtremes(rule.cells);
     bars.push_back(notOver("stop rule of half width 0.35: mean trials", 40.0, of.mean_trials));
     bars.push_back(noLess("stop rule of half width 0.35: coverage", 0.94, of.coverage_least));
   }
@@ -55,7 +55,7 @@ void addOutside(std::vector<TrainingBar>& bars, const TrainingMeasurement& found
 
 void addTwoIntervals(std::vector<TrainingBar>& bars, const TrainingMeasurement& found) {
   if (found.two_intervals.cells.empty()) return;
-  const CellExtremes of = extremesOf(found.two_intervals.cells);
+  const CellExtremes of = findExtremes(found.two_intervals.cells);
   bars.push_back(notOver("two intervals, 200 trials: bias", 1.5, of.bias_points, " points"));
   bars.push_back(notOver("two intervals, 200 trials: SD of ln T", 0.17, of.sd_ln));
 }
@@ -94,7 +94,7 @@ void addExample(std::vector<TrainingBar>& bars, const TrainingMeasurement& found
 
 }  // namespace
 
-CellExtremes extremesOf(const std::vector<RecoveryCell>& cells, double most_truth) {
+CellExtremes findExtremes(const std::vector<RecoveryCell>& cells, double most_truth) {
   CellExtremes of;
   for (const RecoveryCell& cell : cells) {
     if (cell.truth > most_truth) continue;
@@ -107,7 +107,7 @@ CellExtremes extremesOf(const std::vector<RecoveryCell>& cells, double most_trut
   return of;
 }
 
-const MethodRow& rowOf(const TrainingMeasurement& found, AskedBy method) {
+const MethodRow& findMethodRow(const TrainingMeasurement& found, AskedBy method) {
   for (const MethodRow& row : found.methods) {
     if (row.method == method) return row;
   }
@@ -132,7 +132,7 @@ std::vector<TrainingBar> trainingBars(const TrainingMeasurement& found) {
 }
 
 std::vector<std::pair<std::string, double>> trainingPairs(const TrainingMeasurement& found) {
-  const CellExtremes of = extremesOf(rowOf(found, AskedBy::marginal_psi).cells);
+  const CellExtremes of = findExtremes(findMethodRow(found, AskedBy::marginal_psi).cells);
   double exploration_error = 0.0;
   for (const ExplorationRow& row : found.exploration) {
     if (row.searched == 8) exploration_error = correctedPercent(row);

@@ -30,9 +30,9 @@ struct CellExtremes {
 };
 
 /// Extremes over cells whose truth is at most `most_truth`: 40 % has bars of its own.
-CellExtremes extremesOf(const std::vector<RecoveryCell>& cells, double most_truth = 0.3);
+CellExtremes findExtremes(const std::vector<RecoveryCell>& cells, double most_truth = 0.3);
 
-const MethodRow& rowOf(const TrainingMeasurement& found, AskedBy method);
+const MethodRow& findMethodRow(const TrainingMeasurement& found, AskedBy method);
 
 /// How far the corrected threshold of this row's trainees is from the truth, percent; naive likewise.
 double correctedPercent(const ExplorationRow& row);

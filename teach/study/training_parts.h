@@ -35,6 +35,6 @@ void measureChanges(TrainingMeasurement& found, const Progress& progress);
 void measureExample(TrainingMeasurement& found, const Progress& progress);
 
 /// `some` / `all`, for whole numbers of runs.
-double shareOf(std::size_t some, std::size_t all);
+double computeShare(std::size_t some, std::size_t all);
 
 }  // namespace palpate::study

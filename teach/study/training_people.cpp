@@ -23,12 +23,14 @@ constexpr double kSpread = 0.30;
 constexpr std::size_t kPeopleOfExample = 89;
 constexpr int kSessions = 6;
 
-std::vector<Answer> answersOf(double truth, int trials, std::uint64_t seed) {
+std::vector<Answer> simulateAnswers(double truth, int trials, std::uint64_t seed) {
   return askedTest(AskedBy::marginal_psi, usualTrainee(truth), trials, seed).answers;
 }
 
 /// A person of a group whose mean T is `mean`; `normal`: of how many spreads.
-double thresholdOf(double mean, double normal) { return mean * std::exp(kSpread * normal - 0.5 * kSpread * kSpread); }
+double personThreshold(double mean, double normal) {
+  return mean * std::exp(kSpread * normal - 0.5 * kSpread * kSpread);
+}
 
 double truthOfSession(int session) { return kAfter + (kBefore - kAfter) * std::exp(-session / 1.5); }
 
@@ -46,10 +48,10 @@ MeanAndSd meanAndSd(const std::vector<double>& values) {
   return found;
 }
 
-std::vector<SessionAnswers> sessionsOf(int trials, std::uint64_t seed) {
+std::vector<SessionAnswers> simulateSessions(int trials, std::uint64_t seed) {
   std::vector<SessionAnswers> sessions;
   for (int session = 0; session < kSessions; ++session) {
-    sessions.push_back({answersOf(truthOfSession(session), trials, seed + static_cast<std::uint64_t>(session))});
+    sessions.push_back({simulateAnswers(truthOfSession(session), trials, seed + static_cast<std::uint64_t>(session))});
   }
   return sessions;
 }
@@ -97,19 +99,19 @@ GroupRun groupRun(const std::vector<double>& before, const std::vector<double>& 
   run.before.resize(before.size());
   run.after.resize(after.size());
   parallelFor(before.size(), [&](std::size_t i) {
-    run.before[i] = answersOf(before[i], kTrialsOfATest, runSeed(seed, 1, i));
-    run.after[i] = answersOf(after[i], kTrialsOfATest, runSeed(seed, 2, i));
+    run.before[i] = simulateAnswers(before[i], kTrialsOfATest, runSeed(seed, 1, i));
+    run.after[i] = simulateAnswers(after[i], kTrialsOfATest, runSeed(seed, 2, i));
   });
   return run;
 }
 
-std::vector<double> mediansOf(const std::vector<std::vector<Answer>>& people) {
+std::vector<double> posteriorMedians(const std::vector<std::vector<Answer>>& people) {
   std::vector<double> medians;
   for (const auto& answers : people) medians.push_back(believed(answers).summary().median);
   return medians;
 }
 
-std::vector<ThresholdLikelihood> likelihoodsOf(const std::vector<std::vector<Answer>>& people) {
+std::vector<ThresholdLikelihood> computeLikelihoods(const std::vector<std::vector<Answer>>& people) {
   std::vector<ThresholdLikelihood> all;
   for (const auto& answers : people) all.push_back(training::thresholdLikelihood(answers));
   return all;
@@ -131,7 +133,7 @@ std::vector<double> evenGroup(double mean, std::uint64_t seed) {
   std::vector<double> thresholds;
   double sum = 0.0;
   for (std::size_t i = 0; i < kPeopleOfExample; ++i) {
-    thresholds.push_back(thresholdOf(mean, normalQuantile((static_cast<double>(i) + 0.5) / kPeopleOfExample)));
+    thresholds.push_back(personThreshold(mean, normalQuantile((static_cast<double>(i) + 0.5) / kPeopleOfExample)));
     sum += thresholds.back();
   }
   for (double& threshold : thresholds) threshold *= mean * kPeopleOfExample / sum;
@@ -152,20 +154,20 @@ void coverGroups(TrainingMeasurement& found, const Progress& progress) {
     std::vector<double> before;
     std::vector<double> after;
     for (std::size_t i = 0; i < kPeopleOfExample; ++i) {
-      before.push_back(thresholdOf(kBefore, random.normal()));
-      after.push_back(thresholdOf(kAfter, random.normal()));
+      before.push_back(personThreshold(kBefore, random.normal()));
+      after.push_back(personThreshold(kAfter, random.normal()));
     }
     const GroupRun run = groupRun(before, after, seed);
     for (const auto& [people, truth] : {std::pair(&run.before, kBefore), std::pair(&run.after, kAfter)}) {
-      const auto fitted = training::groupThreshold(likelihoodsOf(*people));
+      const auto fitted = training::groupThreshold(computeLikelihoods(*people));
       if (fitted.low <= truth && truth <= fitted.high) ++by_groups;
-      const MeanAndSd told = meanAndSd(mediansOf(*people));
+      const MeanAndSd told = meanAndSd(posteriorMedians(*people));
       const double reach = training::student95(kPeopleOfExample - 1) * told.sd / std::sqrt(kPeopleOfExample);
       if (std::abs(told.mean - truth) <= reach) ++by_medians;
     }
   }
-  found.example.covered_by_groups = shareOf(by_groups, 2 * groups);
-  found.example.covered_by_medians = shareOf(by_medians, 2 * groups);
+  found.example.covered_by_groups = computeShare(by_groups, 2 * groups);
+  found.example.covered_by_medians = computeShare(by_medians, 2 * groups);
 }
 
 }  // namespace
@@ -181,12 +183,12 @@ void measurePower(TrainingMeasurement& found, const Progress& progress) {
     std::vector<double> before;
     std::vector<double> after;
     for (std::size_t i = 0; i < kMaxPeople; ++i) {  // who was good before need not be good after
-      before.push_back(thresholdOf(kBefore, random.normal()));
-      after.push_back(thresholdOf(kAfter, random.normal()));
+      before.push_back(personThreshold(kBefore, random.normal()));
+      after.push_back(personThreshold(kAfter, random.normal()));
     }
     const GroupRun run = groupRun(before, after, seed);
-    const std::vector<double> told_before = mediansOf(run.before);
-    const std::vector<double> told_after = mediansOf(run.after);
+    const std::vector<double> told_before = posteriorMedians(run.before);
+    const std::vector<double> told_after = posteriorMedians(run.after);
     for (std::size_t s = 0; s < sizes.size(); ++s) {
       std::vector<double> gains;
       for (std::size_t i = 0; i < static_cast<std::size_t>(sizes[s]); ++i) {
@@ -197,7 +199,7 @@ void measurePower(TrainingMeasurement& found, const Progress& progress) {
     }
   }
   for (std::size_t s = 0; s < sizes.size(); ++s)
-    found.power.push_back({sizes[s], shareOf(seen[s], found.plan.repeats)});
+    found.power.push_back({sizes[s], computeShare(seen[s], found.plan.repeats)});
 }
 
 void measureLearning(TrainingMeasurement& found, const Progress& progress) {
@@ -208,7 +210,8 @@ void measureLearning(TrainingMeasurement& found, const Progress& progress) {
     std::vector<LearningErrors> each(people);
     std::vector<double> held(people, -1.0);
     parallelFor(people, [&](std::size_t i) {
-      const auto sessions = sessionsOf(trials, runSeed(found.plan.seed, cellNumber(TrainingPart::learning, cell), i));
+      const auto sessions =
+          simulateSessions(trials, runSeed(found.plan.seed, cellNumber(TrainingPart::learning, cell), i));
       each[i] = learningErrors(sessions);
       if (trials == kTrialsOfATest && i < 100) held[i] = heldByBand(*training::fitLearning(sessions));
     });
@@ -238,7 +241,7 @@ void measureChanges(TrainingMeasurement& found, const Progress& progress) {
     parallelFor(kPeople, [&](std::size_t i) {
       const std::uint64_t seed = runSeed(found.plan.seed, cellNumber(TrainingPart::changes, cell), i);
       const auto result = [&](double truth, std::uint64_t part) {
-        return believed(answersOf(truth, trials, seed + part)).summary();
+        return believed(simulateAnswers(truth, trials, seed + part)).summary();
       };
       const double unchanged = i % 2 == 0 ? kBefore : kAfter;
       const auto change = [&](const ThresholdSummary& before, const ThresholdSummary& after) {
@@ -249,7 +252,7 @@ void measureChanges(TrainingMeasurement& found, const Progress& progress) {
       seen[i] = learnt.clear && learnt.ratio < 1.0 ? 1 : 0;
     });
     const auto share = [](const std::vector<int>& which) {
-      return shareOf(static_cast<std::size_t>(std::count(which.begin(), which.end(), 1)), which.size());
+      return computeShare(static_cast<std::size_t>(std::count(which.begin(), which.end(), 1)), which.size());
     };
     found.changes.push_back({trials, training::factorOfRealChange(trials, trials), share(alarmed), share(seen)});
     ++cell;
@@ -261,16 +264,16 @@ void measureExample(TrainingMeasurement& found, const Progress& progress) {
   const std::uint64_t seed = runSeed(found.plan.seed, cellNumber(TrainingPart::example, 0), 0);
   WorkedExample& example = found.example;
   const GroupRun run = groupRun(evenGroup(kBefore, seed), evenGroup(kAfter, seed + 1), seed);
-  example.before = mediansOf(run.before);
-  example.after = mediansOf(run.after);
+  example.before = posteriorMedians(run.before);
+  example.after = posteriorMedians(run.after);
   const MeanAndSd before = meanAndSd(example.before);
   const MeanAndSd after = meanAndSd(example.after);
   example.mean_before = before.mean;
   example.sd_before = before.sd;
   example.mean_after = after.mean;
   example.sd_after = after.sd;
-  const auto told_before = likelihoodsOf(run.before);
-  const auto told_after = likelihoodsOf(run.after);
+  const auto told_before = computeLikelihoods(run.before);
+  const auto told_after = computeLikelihoods(run.after);
   example.group_before = training::groupThreshold(told_before);
   example.group_after = training::groupThreshold(told_after);
   std::vector<ThresholdLikelihood> changes;
@@ -280,7 +283,7 @@ void measureExample(TrainingMeasurement& found, const Progress& progress) {
   std::sort(example.before.begin(), example.before.end());
   std::sort(example.after.begin(), example.after.end());
 
-  const auto sessions = sessionsOf(kTrialsOfATest, seed + 2);
+  const auto sessions = simulateSessions(kTrialsOfATest, seed + 2);
   for (int session = 0; session < kSessions; ++session) found.learner.truth.push_back(truthOfSession(session));
   found.learner.points = training::filteredThresholds(sessions);
   found.learner.fit = training::fitLearning(sessions);

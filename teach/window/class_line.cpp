@@ -16,11 +16,11 @@ void ClassLine::follow(const training::Session* session) {
     seen_.reset();
     return;
   }
-  const Seen now{session->screen(), session->trialNumber(), session->paused()};
+  const StateInputs now{session->screen(), session->trialNumber(), session->paused()};
   if (seen_ != now) {
     seen_ = now;
     told_ = true;
-    link_.publishState(classroom::stateOf(*session));
+    link_.publishState(classroom::makeStationState(*session));
   }
   const auto& sites = session->plan().sites.sites;
   const auto pressed =

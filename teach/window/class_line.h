@@ -1,6 +1,6 @@
 // Reports the training window to a class and receives its instructor's commands, once a frame; idle without a class.
 //
-//   session, samples ─► ClassLine ─► classroom::StationLink ─► class        instructor ─► takeCommand ─► desk
+//   session, samples ─► ClassLine ─► classroom::StationLink ─► class        instructor ─► popCommand ─► desk
 #pragma once
 
 #include <memory>
@@ -22,21 +22,21 @@ class ClassLine {
   /// Call once a frame; null: no trainee is signed in.
   void follow(const training::Session* session);
   void safety(const std::string& words) { link_.publishSafety(words); }
-  std::optional<classroom::Command> takeCommand() { return link_.takeCommand(); }
+  std::optional<classroom::Command> popCommand() { return link_.popCommand(); }
   /// For the edge of the screen; empty: all is well.
   std::string trouble() const { return link_.trouble(); }
 
  private:
   /// Inputs of a state that is costly to build: it is built again when one of these changed.
-  struct Seen {
+  struct StateInputs {
     training::Screen screen = training::Screen::finished;
     int trial = 0;
     bool paused = false;
-    friend bool operator==(const Seen&, const Seen&) = default;
+    friend bool operator==(const StateInputs&, const StateInputs&) = default;
   };
   classroom::StationLink link_;
   trace::Sample pressing_;  ///< since the last frame, the one with the most force
-  std::optional<Seen> seen_;
+  std::optional<StateInputs> seen_;
   bool told_ = false;
 };
 

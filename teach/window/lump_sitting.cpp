@@ -79,34 +79,34 @@ void addButtons(const LumpView& view, TrainingScreen& screen) {
 
 }  // namespace
 
-LumpSitting::LumpSitting(training::Store& store, LiveServo& servo, const training::LumpSessionPlan& plan,
-                         const training::Moment& now)
+LumpSessionRun::LumpSessionRun(training::Store& store, LiveServo& servo, const training::LumpSessionPlan& plan,
+                               const training::Moment& now)
     : rows_(store, servo, plan.row.file), session_(plan, now) {}
 
-std::string LumpSitting::finish(std::string_view ended_by, const training::Moment& now) {
+std::string LumpSessionRun::finish(std::string_view ended_by, const training::Moment& now) {
   session_.leave(now);
-  const bool kept = keep();
+  const bool kept = save();
   const std::string words = rows_.finish(session_.plan().row.id, ended_by);
   return kept ? words : trouble();
 }
 
-TrialWorld::Body LumpSitting::wanted() const {
+TrialWorld::Body LumpSessionRun::wanted() const {
   const bool felt = session_.screen() == LumpScreen::trial || session_.screen() == LumpScreen::feedback;
   if (!felt || session_.paused()) return {};
   return {.hidden = training::HiddenNow{.site = session_.bodyNumber(), .change = 0.0}, .trial = session_.bodyNumber()};
 }
 
-scene::Scene LumpSitting::sceneOf(const scene::Scene& base) const {
+scene::Scene LumpSessionRun::makeScene(const scene::Scene& base) const {
   return training::lumpScene(base, session_.plan().bodies->task(), session_.hidden());
 }
 
-void LumpSitting::worldCame(const scene::World& world) {
+void LumpSessionRun::worldCame(const scene::World& world) {
   feet_.clear();
   for (const auto& lump : world.lumps) feet_.push_back(lump->lump.foot);
   markPlaces();
 }
 
-void LumpSitting::feel(const trace::Sample& sample, const training::Moment& now) {
+void LumpSessionRun::feel(const trace::Sample& sample, const training::Moment& now) {
   session_.feel(sample, now);
   if (session_.paused() || sample.contact.touch == contact::Touch::free || sample.device_force.norm() < kPointsN)
     return;
@@ -114,18 +114,18 @@ void LumpSitting::feel(const trace::Sample& sample, const training::Moment& now)
   markPlaces();
 }
 
-void LumpSitting::namePlace(const training::Moment& now) {
+void LumpSessionRun::namePlace(const training::Moment& now) {
   if (!touched_ || !session_.answer(Vec2(touched_->head<2>()), now)) return;
   named_.push_back(*touched_);
   touched_.reset();
 }
 
-bool LumpSitting::deviceButton(const training::Moment& now) {
+bool LumpSessionRun::deviceButton(const training::Moment& now) {
   const bool points = session_.question() == LumpQuestion::place && touched_;
   return act(points ? TrainingAct::answer : TrainingAct::next, 0, now);
 }
 
-bool LumpSitting::act(TrainingAct act, int value, const training::Moment& now) {
+bool LumpSessionRun::act(TrainingAct act, int value, const training::Moment& now) {
   const int body = session_.bodyNumber();
   switch (act) {
     case TrainingAct::next:
@@ -160,7 +160,7 @@ bool LumpSitting::act(TrainingAct act, int value, const training::Moment& now) {
 }
 
 /// The named places, then the touched one or, in feedback, the lumps.
-void LumpSitting::markPlaces() {
+void LumpSessionRun::markPlaces() {
   places_ = named_;
   if (!session_.shown().empty()) {
     places_.insert(places_.end(), feet_.begin(), feet_.end());
@@ -169,17 +169,17 @@ void LumpSitting::markPlaces() {
   }
 }
 
-TrainingScreen LumpSitting::screen(const std::string& corner, bool waiting, bool by_mouse) const {
-  return lumpScreenOf({.session = &session_,
-                       .corner = corner,
-                       .waiting = waiting,
-                       .touched = touched_.has_value(),
-                       .by_mouse = by_mouse,
-                       .named = named_.size(),
-                       .marks = places_.size()});
+TrainingScreen LumpSessionRun::screen(const std::string& corner, bool waiting, bool by_mouse) const {
+  return makeLumpScreen({.session = &session_,
+                         .corner = corner,
+                         .waiting = waiting,
+                         .touched = touched_.has_value(),
+                         .by_mouse = by_mouse,
+                         .named = named_.size(),
+                         .marks = places_.size()});
 }
 
-TrainingScreen lumpScreenOf(const LumpView& view) {
+TrainingScreen makeLumpScreen(const LumpView& view) {
   const LumpScreen shown = view.session->screen();
   const bool on_body = shown == LumpScreen::trial || shown == LumpScreen::feedback;
   TrainingScreen screen = on_body ? TrainingScreen() : cardFor(view);

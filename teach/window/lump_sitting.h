@@ -1,7 +1,7 @@
 // A session with lumps in the window: the text of its screen, the place that was touched last, the body that is felt,
 // and its rows in the record.
 //
-//   samples ─► LumpSitting ─ screen, marks ─► TrainingMode ─► painting          act ─► LumpSession ─► rows
+//   samples ─► LumpSessionRun ─ screen, marks ─► TrainingMode ─► painting          act ─► LumpSession ─► rows
 //                   └─ wanted ─► the body of a trial
 //
 // A place is named by touching it: Here means the finger's last press, whether a device, the mouse or the keyboard
@@ -29,22 +29,22 @@ struct LumpView {
   std::size_t marks = 0;
 };
 /// Pure: words, buttons and marks.
-TrainingScreen lumpScreenOf(const LumpView& view);
+TrainingScreen makeLumpScreen(const LumpView& view);
 
-class LumpSitting {
+class LumpSessionRun {
  public:
   /// All must outlive it. Throws Error.
-  LumpSitting(training::Store& store, LiveServo& servo, const training::LumpSessionPlan& plan,
-              const training::Moment& now);
+  LumpSessionRun(training::Store& store, LiveServo& servo, const training::LumpSessionPlan& plan,
+                 const training::Moment& now);
 
   const training::LumpSession& session() const { return session_; }
-  bool keep() { return rows_.keep(session_.takeRows()); }
+  bool save() { return rows_.save(session_.drainRows()); }
   const std::string& trouble() const { return rows_.trouble(); }
   std::string finish(std::string_view ended_by, const training::Moment& now);
 
   /// The body to be felt now, and its scene around `base`.
   TrialWorld::Body wanted() const;
-  scene::Scene sceneOf(const scene::Scene& base) const;
+  scene::Scene makeScene(const scene::Scene& base) const;
   /// Call once the world with the hidden lumps is at work.
   void worldCame(const scene::World& world);
   void ready(const training::Moment& now) { session_.ready(now); }

@@ -62,7 +62,7 @@ SessionKind suggestion(const TrainingPast& past, bool retention_due) {
   return SessionKind::practice;
 }
 
-std::string waitingWords(const TrainingPast& past, int days) {
+std::string retentionDueText(const TrainingPast& past, int days) {
   if (lastTestMs(past) == 0) return tr("After the test after practice, or an examination.");
   return trnf("Tomorrow: a week after the last test.", "In {} days: a week after the last test.",
               static_cast<std::size_t>(days), days);
@@ -80,7 +80,7 @@ std::string nameOfKind(SessionKind kind) {
   return tr(found->name);
 }
 
-TrainingPast trainingPastOf(training::Store& store, const std::string& trainee) {
+TrainingPast loadTrainingPast(training::Store& store, const std::string& trainee) {
   TrainingPast past;
   for (const training::SessionRow& session : store.sessions(trainee)) {
     TrainingPast::OfKind& of = past.kinds[session.kind];
@@ -104,7 +104,7 @@ std::vector<Offer> offersFor(const TrainingPast& past, const training::Protocol&
     Offer offer{words.kind, tr(words.name), tr(words.line), true, words.kind == suggested};
     if (words.kind == SessionKind::retention && (!tested || days > 0)) {
       offer.enabled = false;
-      offer.line = waitingWords(past, days);
+      offer.line = retentionDueText(past, days);
     }
     if (past.of(words.kind).interrupted && words.kind != SessionKind::free) {
       offer.enabled = true;

@@ -64,63 +64,63 @@ class Tour {
 
  private:
   void frontDesk() {
-    take("welcome");
+    saveScreen("welcome");
     text("7Q2MK-9DX");
     key(Key::enter);
-    take("typing-error");
+    saveScreen("typing-error");
     for (int i = 0; i < 9; ++i) key(Key::backspace);
-    text(training::codeOf(kTourCode));
+    text(training::makeTraineeCode(kTourCode));
     key(Key::enter);
-    take("new-code");
+    saveScreen("new-code");
     key(Key::enter);
-    take("what-is-kept");
+    saveScreen("what-is-kept");
     key(Key::enter);
-    take("hand");
+    saveScreen("hand");
     key(Key::right);
     key(Key::enter);
-    take("choice");
+    saveScreen("choice");
   }
 
   void practice() {
     choose(training::SessionKind::practice);
-    take("device-check");
+    saveScreen("device-check");
     pressSite(4);
     key(Key::enter);
     settle();
     pressSite(10, true);
     pressSite(4);
-    take("familiarisation");
+    saveScreen("familiarisation");
     key(kKeyT);
     key(Key::space);
     settle();
     pressSite(10, true);
     pressSite(4);
-    take("which-is-stiffer");
+    saveScreen("which-is-stiffer");
     key(Key::space);
     answerFamiliar();
-    take("instruction");
+    saveScreen("instruction");
     key(Key::space);
     settle();
     for (const int site : {1, 2, 3, 9}) pressSite(site, true);
-    take("practice-trial");
+    saveScreen("practice-trial");
     answer(truth());
-    take("right");
+    saveScreen("right");
     key(Key::space);
     settle();
     answer(truth() % 12 + 1);
     settle();
     pressSite(truth());
-    take("wrong");
+    saveScreen("wrong");
     key(kKeyT);
     key(Key::space);
     settle();
     key(window::key('P'));
-    take("paused");
+    saveScreen("paused");
     key(Key::escape);
-    take("leaving");
+    saveScreen("leaving");
     key(Key::right);
     key(Key::enter);
-    take("choice-again");
+    saveScreen("choice-again");
   }
 
   void test() {
@@ -131,26 +131,26 @@ class Tour {
     for (const int site : {1, 2, 7}) pressSite(site, true);
     key(Key::backspace);
     text("7");
-    take("test-trial");
+    saveScreen("test-trial");
     key(Key::enter);
-    take("not-pressed-yet");
+    saveScreen("not-pressed-yet");
     key(Key::enter);
     settle();
-    take("answer-saved");
+    saveScreen("answer-saved");
     while (screen() == Screen::trial) {
       answer(truth());
       settle();
     }
-    take("test-summary");
+    saveScreen("test-summary");
     key(Key::space);
-    take("finished");
+    saveScreen("finished");
     key(Key::space);
   }
 
   void free() {
     choose(training::SessionKind::free);
     settle();
-    take("free-exploration");
+    saveScreen("free-exploration");
     key(Key::enter);
     settle();
     key(Key::enter);
@@ -246,7 +246,7 @@ class Tour {
     if (lifts) key(trial ? Key::space : kKeyT);
   }
 
-  void take(const std::string& name) {
+  void saveScreen(const std::string& name) {
     frames(2);
     fs::path file = settings_.folder / fmt::format("{:02}-{}.png", files_.size() + 1, name);
     view::writePng(file, viewer_->target().read());

@@ -52,14 +52,14 @@ void RowWriter::mark(const training::Row& row) {
   }
 }
 
-bool RowWriter::keep(std::vector<training::Row> rows) {
+bool RowWriter::save(std::vector<training::Row> rows) {
   for (training::Row& row : rows) {
     mark(row);
     waiting_.push_back(std::move(row));
   }
   if (waiting_.empty()) return true;
   try {
-    store_.keep(waiting_);
+    store_.save(waiting_);
   } catch (const std::exception& error) {
     trouble_ = error.what();
     return false;
@@ -90,7 +90,7 @@ SessionRun::~SessionRun() { finish("interrupted", latest_); }
 std::string SessionRun::finish(std::string_view ended_by, const training::Moment& now) {
   if (std::exchange(finished_, true) || !session_) return {};
   session_->leave(now);
-  const bool kept = keep();
+  const bool kept = save();
   const std::string words = rows_.finish(session_->plan().row.id, ended_by);
   return kept ? words : trouble();
 }

@@ -1,7 +1,7 @@
 // A session that is under way, with what must not be lost of it: its rows in the record before the next screen, its
 // ticks in a recording that trials point into.
 //
-//   Session::takeRows ─ keep ─► Store           servo ─► engine::Recorder ─► sessions/ID.session ─ locked when
+//   Session::drainRows ─ save ─► Store           servo ─► engine::Recorder ─► sessions/ID.session ─ locked when
 //   it is over
 //
 // A row that cannot be written waits, and the session does not continue until it is written.
@@ -29,7 +29,7 @@ class RowWriter {
   RowWriter(training::Store& store, LiveServo& servo, const std::string& file);
 
   /// Writes them into the record, after waiting ones; true: nothing waits. If not, `trouble` says why.
-  bool keep(std::vector<training::Row> rows);
+  bool save(std::vector<training::Row> rows);
   const std::string& trouble() const { return trouble_; }
   /// The recording is finished and locked. Words for the user about what went wrong; empty: all is well.
   std::string finish(const training::Uuid& session, std::string_view ended_by);
@@ -59,7 +59,7 @@ class SessionRun {
   const training::Session& session() const { return *session_; }
 
   /// Rows go into the record; whether nothing waits. If not, `trouble` says why.
-  bool keep() { return rows_.keep(session_->takeRows()); }
+  bool save() { return rows_.save(session_->drainRows()); }
   const std::string& trouble() const { return rows_.trouble(); }
   /// The recording is finished and locked with the trainee's key. Leaves a running session. Words for the user about
   /// what went wrong; empty: all is well.

@@ -48,10 +48,10 @@ void SignIn::signIn() {
   }
   code_ = *code;
   notice_.clear();
-  const training::Uuid id = training::pseudonymOf(settings_.class_id, code_, settings_.trainee_key);
+  const training::Uuid id = training::derivePseudonym(settings_.class_id, code_, settings_.trainee_key);
   auto known = store_.trainee(id);
   // Trainees from before the class had a secret keep their id.
-  if (!known) known = store_.trainee(training::pseudonymOf(settings_.class_id, code_));
+  if (!known) known = store_.trainee(training::derivePseudonym(settings_.class_id, code_));
   trainee_ = known.value_or(training::TraineeRow{.id = id, .class_id = settings_.class_id});
   if (!known) {
     stage_ = TrainingStage::new_code;
@@ -73,7 +73,7 @@ void SignIn::enter() {
 }
 
 void SignIn::choices() {
-  offers_ = offersFor(trainingPastOf(store_, trainee_.id), protocol_, training::utcMs());
+  offers_ = offersFor(loadTrainingPast(store_, trainee_.id), protocol_, training::utcMs());
   stage_ = TrainingStage::choice;
 }
 
@@ -98,7 +98,7 @@ bool SignIn::choose(int value) {
     trainee_.dominant_hand = kHands[index];
     trainee_.consent = true;
     if (trainee_.created_ms == 0) trainee_.created_ms = training::utcMs();
-    store_.keep(trainee_);
+    store_.save(trainee_);
     enter();
     return true;
   }
@@ -116,7 +116,7 @@ bool SignIn::act(TrainingAct act, int value) {
     case TrainingStage::sign_in:
       if (act == TrainingAct::sign_in) return signIn(), true;
       if (act != TrainingAct::make_code) return false;
-      code_ = training::codeOf(training::systemRandom()[0]);
+      code_ = training::makeTraineeCode(training::systemRandom()[0]);
       stage_ = TrainingStage::own_code;
       notice_.clear();
       return true;
@@ -151,7 +151,7 @@ bool SignIn::act(TrainingAct act, int value) {
   return false;
 }
 
-std::optional<training::SessionKind> SignIn::takeChosen() { return std::exchange(chosen_, std::nullopt); }
+std::optional<training::SessionKind> SignIn::consumeChoice() { return std::exchange(chosen_, std::nullopt); }
 
 void SignIn::describe(TrainingView& view) const {
   view.stage = stage_;

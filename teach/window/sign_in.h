@@ -40,12 +40,12 @@ class SignIn {
   bool act(TrainingAct act, int value);
   /// Returns to the choice after a session that is over or could not begin.
   void comeBack(std::string notice = {});
-  void tell(std::string notice) { notice_ = std::move(notice); }
+  void setNotice(std::string notice) { notice_ = std::move(notice); }
 
   TrainingStage stage() const { return stage_; }
   const training::TraineeRow& trainee() const { return trainee_; }
   /// Once, when the choice was made.
-  std::optional<training::SessionKind> takeChosen();
+  std::optional<training::SessionKind> consumeChoice();
   void describe(TrainingView& view) const;
 
  private:

@@ -52,7 +52,7 @@ TrainingStroke escaped(const TrainingScreen& screen) {
   return {};
 }
 
-Vec2 directionOf(Key key) {
+Vec2 keyDirection(Key key) {
   if (key == Key::left) return {-1.0, 0.0};
   if (key == Key::right) return {1.0, 0.0};
   if (key == Key::up) return {0.0, 1.0};
@@ -61,7 +61,7 @@ Vec2 directionOf(Key key) {
 }
 
 TrainingStroke onTrial(const window::InputEvent& event, const TrainingScreen& screen) {
-  if (const Vec2 by = directionOf(event.key); by != Vec2::Zero()) return {.kind = StrokeKind::walk, .by = by};
+  if (const Vec2 by = keyDirection(event.key); by != Vec2::Zero()) return {.kind = StrokeKind::walk, .by = by};
   if (event.key == Key::space && !event.repeat) return {.kind = StrokeKind::touch};
   if (event.key == Key::enter || event.key == Key::pad_enter) return acting(screen, TrainingAct::answer);
   if (event.key == Key::backspace) return {.kind = StrokeKind::erase};
@@ -71,7 +71,7 @@ TrainingStroke onTrial(const window::InputEvent& event, const TrainingScreen& sc
 
 TrainingStroke onCard(const window::InputEvent& event, const TrainingScreen& screen) {
   if (screen.place == TrainingPlace::body) {
-    if (const Vec2 by = directionOf(event.key); by != Vec2::Zero()) return {.kind = StrokeKind::walk, .by = by};
+    if (const Vec2 by = keyDirection(event.key); by != Vec2::Zero()) return {.kind = StrokeKind::walk, .by = by};
     if (event.key == window::key('T') && !event.repeat) return {.kind = StrokeKind::touch};
     if (event.key == Key::backspace) return {.kind = StrokeKind::erase};
     if (event.key == window::key('P') && offers(screen, TrainingAct::pause)) return acting(screen, TrainingAct::pause);
@@ -88,7 +88,7 @@ TrainingStroke onCard(const window::InputEvent& event, const TrainingScreen& scr
 
 }  // namespace
 
-TrainingStroke strokeOf(const window::InputEvent& event, const TrainingScreen& screen) {
+TrainingStroke interpretInput(const window::InputEvent& event, const TrainingScreen& screen) {
   using EventKind = window::InputEvent::Kind;
   if (event.kind == EventKind::text) return {.kind = StrokeKind::letters, .text = event.text};
   if (event.kind != EventKind::key) return {.kind = StrokeKind::pass};

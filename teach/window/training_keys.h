@@ -1,6 +1,6 @@
 // Meanings of keys on a training screen: everything can be done without a mouse.
 //
-//   InputEvent, TrainingScreen ─ strokeOf ─► what is meant
+//   InputEvent, TrainingScreen ─ interpretInput ─► what is meant
 //
 // Pure.
 #pragma once
@@ -31,7 +31,7 @@ struct TrainingStroke {
   Vec2 by = Vec2::Zero();
 };
 
-TrainingStroke strokeOf(const window::InputEvent& event, const TrainingScreen& screen);
+TrainingStroke interpretInput(const window::InputEvent& event, const TrainingScreen& screen);
 
 /// The nearest site that lies in this direction (x right, y up); the same if none does, the first from none.
 int siteTowards(const training::SiteSet& sites, int from, const Vec2& by);

@@ -48,7 +48,7 @@ bool sameLumps(const scene::Scene& a, const scene::Scene& b) {
 }
 
 /// The member's own, or the one that this record has always had.
-training::StationRow stationOf(training::Store& store, const std::optional<classroom::Member>& member) {
+training::StationRow findStation(training::Store& store, const std::optional<classroom::Member>& member) {
   const std::vector<training::StationRow> known = store.stations();
   training::StationRow station;
   if (member) {
@@ -57,7 +57,7 @@ training::StationRow stationOf(training::Store& store, const std::optional<class
   } else if (!known.empty()) {
     station = known.front();
   } else {
-    station.id = training::uuidOf(training::utcMs(), training::systemRandom());
+    station.id = training::makeUuidV7(training::utcMs(), training::systemRandom());
     station.name = "station";
   }
   return station;
@@ -133,19 +133,19 @@ void TrainingMode::layBody(ViewerState& viewer, WorldSwap& world_swap) {
   const TrialWorld::Body body = wanted();
   if (!world_.request(body)) return;
   if (lumps_) {
-    scene::Scene scene = lumps_->sceneOf(base_);
+    scene::Scene scene = lumps_->makeScene(base_);
     if (!body.hidden) scene.lumps.clear();
-    world_swap.lay(scene, viewer);
+    world_swap.showTemporarily(scene, viewer);
     return compose();
   }
   const training::SessionPlan& plan = run_->session().plan();
-  world_swap.lay(training::trialScene(base_, plan.protocol, plan.kind, plan.sites, body.hidden), viewer);
+  world_swap.showTemporarily(training::trialScene(base_, plan.protocol, plan.kind, plan.sites, body.hidden), viewer);
   compose();
 }
 
 void TrainingMode::worldCame(const scene::World& world) {
   if (lumps_ && world_.waiting()) {
-    scene::Scene wanted = lumps_->sceneOf(base_);
+    scene::Scene wanted = lumps_->makeScene(base_);
     if (!world_.requested() || !world_.requested()->hidden) wanted.lumps.clear();
     world_.taken(sameLumps(world.scene, wanted));
     return lumps_->worldCame(world);
@@ -158,7 +158,7 @@ void TrainingMode::worldCame(const scene::World& world) {
 
 void TrainingMode::feel(const trace::Sample& sample) {
   tick_ = std::max(tick_, sample.tick);
-  takeButton(sample.buttons);
+  handleButtons(sample.buttons);
   if (class_) class_->felt(sample);
   const bool came = world_.feel(sample.world);
   if (lumps_ && !world_.waiting() && state_ == State::going_on) {
@@ -171,7 +171,7 @@ void TrainingMode::feel(const trace::Sample& sample) {
   run_->session().feel(sample, now());
 }
 
-void TrainingMode::takeButton(std::uint32_t buttons) {
+void TrainingMode::handleButtons(std::uint32_t buttons) {
   const std::uint32_t down = buttons & ~holder_.ignored_buttons;
   const bool pressed = down != 0 && buttons_ == 0;
   buttons_ = down;
@@ -182,7 +182,7 @@ void TrainingMode::takeButton(std::uint32_t buttons) {
     clicks_.push_back({TrainingAct::pick_site, site});
     clicks_.push_back({TrainingAct::answer, 0});
   } else {
-    sign_in_.tell(tr("Touch the place that you mean, then press the button."));
+    sign_in_.setNotice(tr("Touch the place that you mean, then press the button."));
   }
 }
 
@@ -292,7 +292,7 @@ void TrainingMode::compose() {
   TrainingView shown = view();
   if (shown.stage == TrainingStage::session && !run_) shown.stage = TrainingStage::choice;
   const bool of_lumps = lumps_ && shown.over == TrainingOver::none;
-  screen_ = of_lumps ? lumps_->screen(shown.code, world_.waiting(), holder_.mouse) : screenOf(shown);
+  screen_ = of_lumps ? lumps_->screen(shown.code, world_.waiting(), holder_.mouse) : makeTrainingScreen(shown);
   if (of_lumps) screen_.focus = screen_.buttons.empty() ? 0 : std::min(focus_, screen_.buttons.size() - 1);
   if (std::exchange(screen_title_, screen_.title) != screen_.title) {
     focus_ = 0;
@@ -322,7 +322,7 @@ void TrainingMode::speak() {
 // --- requests
 
 bool TrainingMode::handle(const window::InputEvent& event, ViewerState& /*viewer*/, bool /*typing*/) {
-  const TrainingStroke stroke = strokeOf(event, screen_);
+  const TrainingStroke stroke = interpretInput(event, screen_);
   using Kind = TrainingStroke::Kind;
   switch (stroke.kind) {
     case Kind::pass:
@@ -490,7 +490,7 @@ void TrainingMode::handle(const TrainingClick& click, ViewerState& viewer, LiveS
     try {
       sign_in_.act(click.act, click.value);
     } catch (const Error& error) {
-      sign_in_.tell(error.what());
+      sign_in_.setNotice(error.what());
     }
   }
 }
@@ -509,7 +509,7 @@ void TrainingMode::actOnLumps(TrainingAct act, int value) {
     return endSession();
   }
   if (keyboard_.presses) keyboard_.press(false);
-  keepRows();
+  storeNewRows();
 }
 
 /// A finished session needs no question.
@@ -532,7 +532,7 @@ bool TrainingMode::mayQuit() {
 
 // --- a session
 
-training::SessionPlan TrainingMode::planOf(training::SessionKind kind, const ViewerState& viewer) {
+training::SessionPlan TrainingMode::makeSessionPlan(training::SessionKind kind, const ViewerState& viewer) {
   training::SessionPlan plan;
   plan.protocol = settings_.protocol;
   if (!viewer.held.empty()) {
@@ -545,7 +545,7 @@ training::SessionPlan TrainingMode::planOf(training::SessionKind kind, const Vie
   plan.tick_s = 1.0 / viewer.ticks_per_s;
   const training::TraineeRow& trainee = sign_in_.trainee();
   training::SessionRow& row = plan.row;
-  row.id = training::uuidOf(training::utcMs(), training::systemRandom());
+  row.id = training::makeUuidV7(training::utcMs(), training::systemRandom());
   row.trainee_id = trainee.id;
   row.app_version = engine::recordingHeader(viewer.ticks_per_s).software;
   row.device = holder_.mouse ? "mouse" : fmt::format("{}, {}", holder_.words, thimble_);
@@ -558,7 +558,7 @@ training::SessionPlan TrainingMode::planOf(training::SessionKind kind, const Vie
   return plan;
 }
 
-training::LumpSessionPlan TrainingMode::lumpPlanOf(const training::SessionPlan& plan) {
+training::LumpSessionPlan TrainingMode::makeLumpSessionPlan(const training::SessionPlan& plan) {
   if (!lump_bodies_) lump_bodies_ = std::make_shared<const training::LumpBodies>(body_, settings_.protocol, sites_);
   return {.protocol = settings_.protocol,
           .kind = plan.kind,
@@ -573,20 +573,20 @@ training::LumpSessionPlan TrainingMode::lumpPlanOf(const training::SessionPlan& 
 void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
   const training::SessionKind kind = *std::exchange(kind_, std::nullopt);
   try {
-    training::StationRow station = stationOf(store_, settings_.member);
+    training::StationRow station = findStation(store_, settings_.member);
     station.device = holder_.words;
-    store_.keep(station);
+    store_.save(station);
     if (const auto& member = settings_.member) {
-      store_.keep(training::ClassRow{member->class_id, member->class_id, member->retention.days,
+      store_.save(training::ClassRow{member->class_id, member->class_id, member->retention.days,
                                      member->retention.samples_days});
     }
     // Stored again for the class, which may have forgotten a trainee who was away for long.
-    if (const auto trainee = store_.trainee(sign_in_.trainee().id)) store_.keep(*trainee);
-    store_.keep(training::protocolRowOf(settings_.protocol));
-    training::SessionPlan plan = planOf(kind, viewer);
+    if (const auto trainee = store_.trainee(sign_in_.trainee().id)) store_.save(*trainee);
+    store_.save(training::makeProtocolRow(settings_.protocol));
+    training::SessionPlan plan = makeSessionPlan(kind, viewer);
     plan.row.station_id = station.id;
     if (training::hidesLumps(kind)) {
-      lumps_ = std::make_unique<LumpSitting>(store_, servo, lumpPlanOf(plan), now());
+      lumps_ = std::make_unique<LumpSessionRun>(store_, servo, makeLumpSessionPlan(plan), now());
     } else {
       run_ = std::make_unique<SessionRun>(store_, servo, std::move(plan), now());
     }
@@ -596,7 +596,7 @@ void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
   spoken_ = 0;
   picked_ = 0;
   keyboard_ = {};
-  keepRows();
+  storeNewRows();
 }
 
 void TrainingMode::endSession() {
@@ -609,12 +609,12 @@ void TrainingMode::endSession() {
   sign_in_.comeBack(words.empty() ? tr("Saved.") : words);
 }
 
-void TrainingMode::keepRows() {
-  if (lumps_ && !lumps_->keep()) {
+void TrainingMode::storeNewRows() {
+  if (lumps_ && !lumps_->save()) {
     state_ = State::trouble;
     trouble_ = lumps_->trouble();
   }
-  if (!run_ || run_->keep()) return;
+  if (!run_ || run_->save()) return;
   state_ = State::trouble;
   trouble_ = run_->trouble();
 }
@@ -631,7 +631,7 @@ void TrainingMode::followSafety(const ViewerState& viewer) {
 void TrainingMode::followClass() {
   if (!class_) return;
   class_->follow(session());
-  while (const auto command = class_->takeCommand()) {
+  while (const auto command = class_->popCommand()) {
     using Kind = classroom::CommandKind;
     if (command->kind == Kind::message) {
       message_ = command->text;
@@ -646,7 +646,7 @@ void TrainingMode::followClass() {
   }
 }
 
-TrainingMode::Holder TrainingMode::holderOf(const ViewerState& viewer, LiveServo& servo) {
+TrainingMode::Holder TrainingMode::makeHolder(const ViewerState& viewer, LiveServo& servo) {
   Holder holder;
   holder.mouse = !viewer.devices.anyHeld();
   if (!holder.mouse) holder.words = viewer.held_by;
@@ -663,9 +663,9 @@ TrainingMode::Holder TrainingMode::holderOf(const ViewerState& viewer, LiveServo
 void TrainingMode::advance(const ModeWork& work) {
   ViewerState& viewer = work.viewer;
   LiveServo& servo = work.servo;
-  holder_ = holderOf(viewer, servo);
+  holder_ = makeHolder(viewer, servo);
   for (const TrainingClick& click : std::exchange(clicks_, {})) handle(click, viewer, servo);
-  if (const auto chosen = sign_in_.takeChosen()) {
+  if (const auto chosen = sign_in_.consumeChoice()) {
     kind_ = chosen;
     if (holder_.mouse || !thimble_.empty()) beginSession(viewer, servo);
   }
@@ -683,7 +683,7 @@ void TrainingMode::advance(const ModeWork& work) {
   }
   followSafety(viewer);
   followClass();
-  keepRows();
+  storeNewRows();
   layBody(viewer, work.world_swap);
   speak();
   compose();

@@ -101,7 +101,7 @@ class TrainingMode : public Mode {
     double ratios_kept_to_n = 0.0;
     std::uint32_t ignored_buttons = 0;  ///< clutch and stop
   };
-  static Holder holderOf(const ViewerState& viewer, LiveServo& servo);
+  static Holder makeHolder(const ViewerState& viewer, LiveServo& servo);
 
   bool mayQuit();
   training::Moment now() const;
@@ -116,15 +116,15 @@ class TrainingMode : public Mode {
   void walk(const Vec2& by);
   void lookAtLumps(const Sight& sight, const ViewerState& viewer);
   bool canPick(int site) const;
-  void takeButton(std::uint32_t buttons);
+  void handleButtons(std::uint32_t buttons);
   void beginSession(ViewerState& viewer, LiveServo& servo);
   void endSession();
   void leaveNow(bool quits);
-  training::SessionPlan planOf(training::SessionKind kind, const ViewerState& viewer);
-  training::LumpSessionPlan lumpPlanOf(const training::SessionPlan& plan);
+  training::SessionPlan makeSessionPlan(training::SessionKind kind, const ViewerState& viewer);
+  training::LumpSessionPlan makeLumpSessionPlan(const training::SessionPlan& plan);
   void actOnLumps(TrainingAct act, int value);
   bool asksBeforeLeaving() const;
-  void keepRows();
+  void storeNewRows();
   void followSafety(const ViewerState& viewer);
   void followClass();
   TrialWorld::Body wanted() const;
@@ -142,7 +142,7 @@ class TrainingMode : public Mode {
   scene::Scene base_;
   std::optional<training::SessionKind> kind_;  ///< chosen, waits for the thimble
   std::unique_ptr<SessionRun> run_;
-  std::unique_ptr<LumpSitting> lumps_;                       ///< replaces the run in a session with lumps
+  std::unique_ptr<LumpSessionRun> lumps_;                    ///< replaces the run in a session with lumps
   std::shared_ptr<const scene::World> body_;                 ///< lumps are hidden in it
   std::shared_ptr<const training::LumpBodies> lump_bodies_;  ///< filled on first use
   State state_ = State::going_on;

@@ -42,13 +42,13 @@ void wrapped(const std::string& text) {
   ImGui::PopTextWrapPos();
 }
 
-void greyWords(const std::string& text) {
+void drawGreyText(const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
   wrapped(text);
   ImGui::PopStyleColor();
 }
 
-void largeWords(const std::string& text) {
+void drawLargeText(const std::string& text) {
   pushLarge();
   wrapped(text);
   ImGui::PopFont();
@@ -64,13 +64,13 @@ void frameOfButton(const ImVec2& corner, const ImVec2& opposite, bool focused) {
 constexpr float kButtonMargin = 16.0f;
 constexpr float kLineGap = 5.0f;
 
-ImVec2 sizeOfWords(const std::string& words, float width) {
+ImVec2 textSize(const std::string& words, float width) {
   return words.empty() ? ImVec2() : ImGui::CalcTextSize(words.c_str(), nullptr, false, width - 2.0f * kButtonMargin);
 }
 
 /// Wanted height, or what its text needs.
 float heightOfButton(const TrainingButton& button, float width, float wanted) {
-  const float words = sizeOfWords(button.label, width).y + sizeOfWords(button.line, width).y;
+  const float words = textSize(button.label, width).y + textSize(button.line, width).y;
   return std::max(wanted, words + (button.line.empty() ? 0.0f : kLineGap) + 12.0f);
 }
 
@@ -79,8 +79,8 @@ void wordsOfButton(const TrainingButton& button, const ImVec2& corner, const ImV
   const ImU32 ink = ImGui::GetColorU32(button.enabled ? ImGuiCol_Text : ImGuiCol_TextDisabled);
   const float width = opposite.x - corner.x;
   const float wrap = width - 2.0f * kButtonMargin;
-  const ImVec2 label = sizeOfWords(button.label, width);
-  const ImVec2 line = sizeOfWords(button.line, width);
+  const ImVec2 label = textSize(button.label, width);
+  const ImVec2 line = textSize(button.line, width);
   const float gap = button.line.empty() ? 0.0f : kLineGap;
   const ImVec2 at(corner.x + kButtonMargin, 0.5f * (corner.y + opposite.y - label.y - gap - line.y));
   list.PushClipRect(corner, opposite, true);
@@ -155,7 +155,7 @@ void entryBox(const TrainingScreen::Entry& entry) {
 }
 
 /// A notice has a bar at its left, one about trouble a sign as well.
-void noticeWords(const TrainingScreen& screen) {
+void drawNotice(const TrainingScreen& screen) {
   if (screen.notice.empty()) return;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImGui::Indent(14.0f);
@@ -201,7 +201,7 @@ TrainingClick card(const TrainingScreen& screen) {
   ImGui::SetNextWindowBgAlpha(1.0f);
   const auto flags = kStillWindow & ~static_cast<unsigned>(ImGuiWindowFlags_NoScrollbar);
   if (ImGui::Begin("training_card", nullptr, static_cast<ImGuiWindowFlags>(flags))) {
-    largeWords(screen.title);
+    drawLargeText(screen.title);
     gap(6.0f);
     for (const std::string& line : screen.lines) wrapped(line);
     if (!screen.lines.empty()) gap(8.0f);
@@ -209,7 +209,7 @@ TrainingClick card(const TrainingScreen& screen) {
       entryBox(*screen.entry);
       gap(8.0f);
     }
-    noticeWords(screen);
+    drawNotice(screen);
     if (!screen.notice.empty()) gap(8.0f);
     clicked = buttons(screen, two_columns);
     cardHeight() = ImGui::GetCursorPosY() + kCardPadding - ImGui::GetStyle().ItemSpacing.y;
@@ -227,9 +227,9 @@ void strip(const TrainingScreen& screen, const ImVec2& room) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {24.0f, 14.0f});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
   if (ImGui::Begin("training_strip", nullptr, kStillWindow)) {
-    largeWords(screen.title);
+    drawLargeText(screen.title);
     for (const std::string& line : screen.lines) wrapped(line);
-    noticeWords(screen);
+    drawNotice(screen);
   }
   ImGui::End();
   ImGui::PopStyleVar(2);
@@ -281,7 +281,7 @@ void ring(const TrainingScreen& screen, float radius) {
 
 void centredGrey(const std::string& text) {
   const float width = ImGui::CalcTextSize(text.c_str()).x;
-  if (width > ImGui::GetContentRegionAvail().x) return greyWords(text);
+  if (width > ImGui::GetContentRegionAvail().x) return drawGreyText(text);
   ImGui::SetCursorPosX(std::max(0.0f, 0.5f * (ImGui::GetWindowWidth() - width)));
   ImGui::TextDisabled("%s", text.c_str());
 }
@@ -329,7 +329,7 @@ TrainingClick column(const TrainingScreen& screen, const ImVec2& room) {
     if (const TrainingClick button = buttons(screen, false, button_height); button.act != TrainingAct::none)
       clicked = button;
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), room.y - keys - 16.0f));
-    greyWords(screen.keys);
+    drawGreyText(screen.keys);
     notePlace("training/keys");
   }
   ImGui::End();

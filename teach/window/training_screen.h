@@ -1,7 +1,7 @@
 // A training screen as plain data: every word, button and mark. The painting (training_painting.h) only places them, so
 // a test that reads this has read all that is on the screen.
 //
-//   front desk, session ─ screenOf (training_words.h) ─► TrainingScreen ─► painting, speech
+//   front desk, session ─ makeTrainingScreen (training_words.h) ─► TrainingScreen ─► painting, speech
 //                                                              a key, a click ─► TrainingAct ─► desk
 #pragma once
 

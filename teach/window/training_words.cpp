@@ -338,7 +338,7 @@ TrainingScreen overScreen(const TrainingView& view) {
   screen.keys = tr(kCardKeys);
   switch (view.over) {
     case TrainingOver::paused:
-      screen.title = training::pausedWords();
+      screen.title = training::pausedNotice();
       screen.buttons = {button(TrainingAct::go_on, tr("Go on")), button(TrainingAct::leave, tr("Leave"))};
       screen.keys = tr("P or Enter goes on, Esc leaves.");
       break;
@@ -368,7 +368,7 @@ TrainingScreen overScreen(const TrainingView& view) {
 
 }  // namespace
 
-TrainingScreen screenOf(const TrainingView& view) {
+TrainingScreen makeTrainingScreen(const TrainingView& view) {
   TrainingScreen screen = view.over == TrainingOver::none ? stageScreen(view) : overScreen(view);
   if (!view.notice.empty()) screen.notice = view.notice;
   if (!screen.buttons.empty()) screen.focus = std::min(view.focus, screen.buttons.size() - 1);

@@ -1,6 +1,6 @@
 // From a trainee's stage to the screen's text: words, buttons and marks of every screen of the training window.
 //
-//   TrainingView (front desk or session, and what was typed and picked) ─ screenOf ─► TrainingScreen
+//   TrainingView (front desk or session, and what was typed and picked) ─ makeTrainingScreen ─► TrainingScreen
 //
 // Pure. The hidden place of a test never gets this far: only feedback's site is read.
 #pragma once
@@ -41,7 +41,7 @@ struct TrainingPast {
   OfKind of(training::SessionKind kind) const;
 };
 
-TrainingPast trainingPastOf(training::Store& store, const std::string& trainee);
+TrainingPast loadTrainingPast(training::Store& store, const std::string& trainee);
 
 struct Offer {
   training::SessionKind kind = training::SessionKind::practice;
@@ -109,7 +109,7 @@ struct TrainingView {
   bool said_long_ago = false;  ///< the session's last text is old
 };
 
-TrainingScreen screenOf(const TrainingView& view);
+TrainingScreen makeTrainingScreen(const TrainingView& view);
 
 /// All words of the screen, whatever they are for.
 std::vector<std::string> wordsOf(const TrainingScreen& screen);

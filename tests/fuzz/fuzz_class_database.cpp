@@ -64,10 +64,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (std::string_view(error.what()).find('\n') != std::string_view::npos) __builtin_trap();
     }
   };
-  reads([](HostileSql& sql) { training::schemaVersionOf(sql); });
+  reads([](HostileSql& sql) { training::readSchemaVersion(sql); });
   reads([](HostileSql& sql) {
     // As copyOfDatabase does: what was read is checked before it is kept.
-    training::Store::inMemory("fuzz").keepAny(training::RowTables(sql).all());
+    training::Store::inMemory("fuzz").storeAnyRows(training::RowTables(sql).all());
   });
   return 0;
 }

@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ClassBoard board("c");
   double now_s = 0.0;
   for (const char* kind : {"status", "state", "live", "block", "session", "trial"}) {
-    board.take(topicText({"c", "s01", kind}), text, now_s += 1.0);
+    board.acceptMessage(topicText({"c", "s01", kind}), text, now_s += 1.0);
   }
   if (board.tiles(now_s).size() != 1) __builtin_trap();
   return 0;

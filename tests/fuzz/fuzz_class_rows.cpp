@@ -21,7 +21,7 @@ constexpr const char* kIds[] = {"018f3c1e-0000-7000-8000-000000000001", "018f3c1
 
 /// What s01 has sent: a trainee with a session.
 std::vector<SentRow> ownedRows() {
-  const training::Uuid s01 = stationIdOf("c", "s01");
+  const training::Uuid s01 = deriveStationId("c", "s01");
   training::TraineeRow trainee;
   trainee.id = kIds[0];
   trainee.class_id = "c";
@@ -40,11 +40,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   training::Store store = training::Store::inMemory("fuzz");
   RowKeeper keeper(store.rows(), {"c", 1 << 20});
   const std::vector<SentRow> owned = ownedRows();
-  if (keeper.keep(owned).keys.size() != owned.size()) __builtin_trap();
+  if (keeper.save(owned).keys.size() != owned.size()) __builtin_trap();
 
   constexpr const char* kKinds[] = {"station", "class", "trainee", "protocol", "session",
                                     "block",   "trial", "event",   "delete"};
-  const training::Uuid s02 = stationIdOf("c", "s02");
+  const training::Uuid s02 = deriveStationId("c", "s02");
   std::vector<SentRow> sent;
   for (const std::string_view line : split({reinterpret_cast<const char*>(data), size}, '\n')) {
     if (line.empty() || sent.size() > 20) continue;
@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       if (std::string_view(error.what()).find('\n') != std::string_view::npos) __builtin_trap();
     }
   }
-  const KeptRows kept = keeper.keep(sent);
+  const KeptRows kept = keeper.save(sent);
   if (kept.fates.size() != sent.size()) __builtin_trap();
   for (const auto* list : {&kept.waits, &kept.refused}) {
     for (const NotKept& row : *list) {

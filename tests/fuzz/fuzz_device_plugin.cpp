@@ -38,10 +38,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const bool whole = table.size >= sizeof(table) && table.version == PALPATE_DEVICE_VERSION && table.name != nullptr &&
                      table.about != nullptr && table.open != nullptr && table.close != nullptr &&
                      table.capabilities != nullptr && table.read != nullptr && table.write != nullptr;
-  expect(plugin::whatIsWrong(&table).empty() == whole);
+  expect(plugin::findFault(&table).empty() == whole);
 
   const auto able = next<palpate_device_capabilities>(data, size);
-  const Capabilities said = plugin::capabilitiesOf(able, {});
+  const Capabilities said = plugin::checkedCapabilities(able, {});
   expect(isSensible(said.max_force_n) && isSensible(said.continuous_force_n) && isSensible(said.rate_hz));
   expect(isSensible(said.nominal_stiffness_n_per_mm));
   expect(said.workspace_mm.isEmpty() || said.workspace_mm.sizes().allFinite());
@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   const int answer = next<int>(data, size);
   const auto reading = next<palpate_device_reading>(data, size);
-  const DriverReading found = plugin::readingOf(answer, reading, {}, 0.001);
+  const DriverReading found = plugin::checkReading(answer, reading, {}, 0.001);
   const bool is_place = found.tip.allFinite() && found.tip.cwiseAbs().maxCoeff() <= kMaxCoordinateMm;
   expect(found.faults != 0 || (is_place && answer >= 0));
   expect(found.velocity.allFinite());
@@ -59,6 +59,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   link.write({1e3, 0.0, 0.0});
   expect(found.faults == 0 || link.dueForce().isZero());
 
-  expect(isOneLine(plugin::wordsIn(reinterpret_cast<const char*>(data), size)));
+  expect(isOneLine(plugin::boundedText(reinterpret_cast<const char*>(data), size)));
   return 0;
 }

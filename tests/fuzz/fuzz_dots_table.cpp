@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (pair.before.size() > kMaxMarks || pair.after.size() > kMaxMarks) return 0;
     const Measurement measured = measureDots(pair);
     if (measured.accepted() && !std::isfinite(measured.fit->at_2_mm.half_major_mm.value)) __builtin_trap();
-    for (const OverlayPanel& panel : overlayOf(measured).panels) {
+    for (const OverlayPanel& panel : buildOverlay(measured).panels) {
       for (const OverlayLine& line : panel.lines) {
         for (const palpate::Vec2& place : line.places_px) {
           if (!place.allFinite()) __builtin_trap();

@@ -30,7 +30,7 @@ std::vector<fs::path> sourcesBelow(const char* folder) {
 }
 
 /// Of a text without its comments, whose lines stay.
-std::string codeOf(const std::string& text) { return std::regex_replace(text, std::regex("//[^\n]*"), ""); }
+std::string stripComments(const std::string& text) { return std::regex_replace(text, std::regex("//[^\n]*"), ""); }
 
 std::string placeOf(const fs::path& file, const std::string& code, std::size_t at) {
   const auto line = 1 + std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n');
@@ -60,7 +60,7 @@ Lines argumentsFrom(const std::string& code, std::size_t open) {
 
 /// Calls in round brackets more than one of whose arguments draws a random number.
 Lines doubleDrawsIn(const std::string& text, const fs::path& file) {
-  const std::string code = codeOf(text);
+  const std::string code = stripComments(text);
   if (code.find("random") == std::string::npos) return {};
   const std::regex draws(R"(random_?\.normal\d?\(|\.(uniform|below|bits)\d?\(|\w\(\s*\w*random_?\s*[,)])");
   Lines found;
@@ -79,7 +79,7 @@ TEST(OneForce, TheEngineTakesNoInexactFunctionOfTheCLibrary) {
   Lines found;
   for (const char* house : {"core/palpate", "host/palpate"}) {
     for (const fs::path& file : sourcesBelow(house)) {
-      const std::string code = codeOf(support::contentOf(file));
+      const std::string code = stripComments(support::contentOf(file));
       for (std::sregex_iterator it(code.begin(), code.end(), call); it != std::sregex_iterator(); ++it) {
         found.push_back(placeOf(file, code, static_cast<std::size_t>(it->position())));
       }
@@ -105,7 +105,7 @@ TEST(OneForce, TheCoreFactorsNothingInBlocks) {
       R"((partial|full)PivLu\(|(?:PartialPiv|FullPiv)LU<|\.(householderQr|colPivHouseholderQr|llt)\()");
   Lines found;
   for (const fs::path& file : sourcesBelow("core/palpate")) {
-    const std::string code = codeOf(support::contentOf(file));
+    const std::string code = stripComments(support::contentOf(file));
     std::smatch match;
     if (std::regex_search(code, match, blocked)) found.push_back(file.filename().string() + ": " + match.str());
   }

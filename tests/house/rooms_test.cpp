@@ -83,7 +83,7 @@ std::vector<Include> includesUnder(const fs::path& folder) {
 }
 
 /// "mesh" of "palpate/mesh/files/load.h"; empty for what is not a library's.
-std::string roomOf(const std::string& target) {
+std::string roomName(const std::string& target) {
   if (!target.starts_with("palpate/")) return {};
   return target.substr(8, target.find('/', 8) - 8);
 }
@@ -98,7 +98,7 @@ std::ptrdiff_t rankOf(const std::string& room) {
 std::size_t expectOnlyRoomsUpTo(const std::string& room, const fs::path& folder) {
   std::size_t looked_at = 0;
   for (const Include& include : includesUnder(folder)) {
-    const std::string to = roomOf(include.target);
+    const std::string to = roomName(include.target);
     if (to.empty()) continue;
     EXPECT_LE(rankOf(to), rankOf(room)) << include.file << " includes " << include.target << ", below " << room;
     ++looked_at;

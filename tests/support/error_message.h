@@ -11,7 +11,7 @@ namespace palpate::support {
 
 /// The message of the Error that `action` throws; "no error" when it throws none. Other exceptions pass through.
 template <class Action>
-std::string messageOf(const Action& action) {
+std::string thrownMessage(const Action& action) {
   try {
     action();
   } catch (const Error& error) {

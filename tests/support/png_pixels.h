@@ -21,7 +21,7 @@ struct Pixels {
   }
 };
 
-inline cairo_status_t takeBytes(void* source, unsigned char* data, unsigned int length) {
+inline cairo_status_t readBytes(void* source, unsigned char* data, unsigned int length) {
   auto& rest = *static_cast<std::string_view*>(source);
   if (rest.size() < length) return CAIRO_STATUS_READ_ERROR;
   std::memcpy(data, rest.data(), length);
@@ -29,9 +29,9 @@ inline cairo_status_t takeBytes(void* source, unsigned char* data, unsigned int 
   return CAIRO_STATUS_SUCCESS;
 }
 
-inline Pixels pixelsOf(const std::string& png) {
+inline Pixels decodePng(const std::string& png) {
   std::string_view rest = png;
-  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(takeBytes, &rest);
+  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(readBytes, &rest);
   if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) throw std::runtime_error("no PNG");
   Pixels pixels{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
   const unsigned char* row = cairo_image_surface_get_data(surface);

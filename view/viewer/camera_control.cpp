@@ -43,7 +43,7 @@ bool CameraControl::act(window::Action action) {
 void CameraControl::setView(view::StandardView side) {
   standard_view_ = static_cast<int>(side);
   const Shown& shown = viewer_.state.shown;
-  if (const auto box = modes_.homeBox()) return flyTo(viewOf(*box, shown, side, viewer_.size_points));
+  if (const auto box = modes_.homeBox()) return flyTo(fitToFreePart(*box, shown, side, viewer_.size_points));
   flyTo(homeView(*world_, shown, side, viewer_.size_points));
 }
 

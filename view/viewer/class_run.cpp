@@ -25,7 +25,7 @@ bool has(const std::string& folder, const char* file) {
 }
 
 /// The last line that is not empty, without the name of the program.
-std::string lastWordsOf(std::string_view words) {
+std::string lastOutputLine(std::string_view words) {
   constexpr std::string_view kProgram = "palpate: ";
   std::string last;
   for (const std::string_view line : split(words, '\n')) {
@@ -47,7 +47,7 @@ void endInOrder(std::unique_ptr<system::FedProgram>& program) {
 /// True once, when it has ended; `trouble` has the reason of a failure.
 bool tookEnd(std::unique_ptr<system::FedProgram>& program, const char* what, std::string& trouble) {
   if (!program || !program->hasEnded()) return false;
-  const std::string words = lastWordsOf(program->said());
+  const std::string words = lastOutputLine(program->said());
   const system::FedProgram::Ending ending = program->finish();
   program.reset();
   if (!ending.well) {
@@ -122,7 +122,7 @@ void ClassRun::advance(double now_s, ClassShown& shown) {
 
 void ClassRun::follow(ClassShown& shown) {
   if (serve_ && !serve_->hasEnded()) {
-    shown.words = lastWordsOf(serve_->said());
+    shown.words = lastOutputLine(serve_->said());
     // Its first output means that broker and collector are running.
     if (!shown.words.empty() && !shown.opened_watch) {
       shown.opened_watch = true;

@@ -4,7 +4,7 @@
 
 namespace palpate::viewer {
 
-void Eyesight::keepUsable(ViewerState& viewer) {
+void Eyesight::enforceUsableMode(ViewerState& viewer) {
   view::StereoMode& mode = viewer.state.stereo.mode;
   const view::UsableMode usable = view::usableMode(mode, quad_buffer_offered_, last_usable_);
   if (usable.mode != mode) {
@@ -15,7 +15,7 @@ void Eyesight::keepUsable(ViewerState& viewer) {
 
 view::StereoSettings Eyesight::settings(ViewerState& viewer) {
   viewer.quad_buffer_offered = quad_buffer_offered_;
-  keepUsable(viewer);
+  enforceUsableMode(viewer);
   view::StereoSettings stereo = viewer.state.stereo;
   const HeadSettings& head = viewer.state.head;
   head_.settings.expected_mm = head.expected_mm;

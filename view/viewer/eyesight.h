@@ -24,7 +24,7 @@ class Eyesight {
   view::StereoSettings settings(ViewerState& viewer);
 
  private:
-  void keepUsable(ViewerState& viewer);
+  void enforceUsableMode(ViewerState& viewer);
 
   bool quad_buffer_offered_;
   view::StereoMode last_usable_ = view::StereoMode::mono;

@@ -153,7 +153,7 @@ std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame)
                      .left = left,
                      .outline = i == viewer.active_finger ? 0.0 : kOutline,
                      .lifted = peaks_[i].shown(viewer.now_s),
-                     .pad = view::padOf(viewer.scene, i)});
+                     .pad = view::fingerPad(viewer.scene, i)});
   }
   return marks;
 }

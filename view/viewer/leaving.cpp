@@ -49,7 +49,7 @@ bool needsConfirmation(const Request& request, ViewerState& viewer) {
   return true;
 }
 
-std::string_view answerOf(window::Key key, const ViewerState& viewer) {
+std::string_view answerForKey(window::Key key, const ViewerState& viewer) {
   if (!viewer.question) return {};
   const std::vector<std::string>& answers = viewer.question->answers;
   if (key == window::Key::enter || key == window::Key::pad_enter) return answers.front();

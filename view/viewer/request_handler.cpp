@@ -19,36 +19,36 @@ namespace palpate::viewer {
 
 void RequestHandler::handle(const Request& request) {
   if (parts_.modes.handle(request, parts_.viewer) || needsConfirmation(request, parts_.viewer)) return;
-  std::visit([this](const auto& allowed) { fulfil(allowed); }, request);
+  std::visit([this](const auto& allowed) { handle(allowed); }, request);
 }
 
 // ---- the scene
 
-void RequestHandler::fulfil(const OpenFile& request) {
+void RequestHandler::handle(const OpenFile& request) {
   ViewerState& viewer = parts_.viewer;
   const bool recorded = trace::isForcesTable(pathOf(request.file)) || trace::isRecording(pathOf(request.file));
   if (recorded) return parts_.replay.load(request.file, viewer.replay.chooses_beside, parts_.world, viewer);
   if (request.unit || !hasNoUnit(pathOf(request.file))) {
     return parts_.world_swap.open(request.file, viewer, request.unit.value_or(scene::Unit::from_file));
   }
-  to_look_at_ = request;  // the newest one wins
+  to_measure_ = request;  // the newest one wins
 }
 
 /// Measures the file on its own thread: a body of 1.8 mm is one of 1.8 m. A slow or broken file is opened without a
 /// question, and shows its own error.
 void RequestHandler::advance() {
-  lookAtSides();
+  checkOrientation();
   static constexpr PreviewLimits kLook{
       .max_bytes = std::uint64_t{256} << 20, .max_seconds = 3.0, .width = 1, .height = 1};
   const auto seen = look_.take();
-  if (seen && !to_look_at_) askForUnit(looked_at_, seen->value ? seen->value->longest_units : std::nullopt);
-  if (!to_look_at_ || look_.busy()) return;
-  looked_at_ = *std::exchange(to_look_at_, std::nullopt);
-  look_.start([file = pathOf(looked_at_.file)] { return previewOf(file, kLook); });
+  if (seen && !to_measure_) askForUnit(measured_, seen->value ? seen->value->longest_units : std::nullopt);
+  if (!to_measure_ || look_.busy()) return;
+  measured_ = *std::exchange(to_measure_, std::nullopt);
+  look_.start([file = pathOf(measured_.file)] { return previewFile(file, kLook); });
 }
 
 /// Each mesh once, when it is loaded; on its own thread.
-void RequestHandler::lookAtSides() {
+void RequestHandler::checkOrientation() {
   ViewerState& viewer = parts_.viewer;
   const std::shared_ptr<const scene::Body>& body = parts_.world->body;
   const bool is_file = parts_.world->scene.body.kind == scene::BodyKind::mesh;
@@ -93,13 +93,13 @@ void RequestHandler::askForUnit(OpenFile request, const std::optional<double>& l
                      .then = request});
 }
 
-void RequestHandler::fulfil(const OpenPreset& request) {
+void RequestHandler::handle(const OpenPreset& request) {
   parts_.world_swap.open(scene::presetScene(request.name), parts_.viewer);
   parts_.viewer.document.title = scene::presetNamed(request.name).title;
 }
 
 /// The scene's file, else the mesh's, else the built-in body.
-void RequestHandler::fulfil(const Reload& /*request*/) {
+void RequestHandler::handle(const Reload& /*request*/) {
   ViewerState& viewer = parts_.viewer;
   const scene::BodySettings& body = viewer.scene.body;
   if (!viewer.document.file.empty()) return parts_.world_swap.open(viewer.document.file.string(), viewer);
@@ -109,11 +109,11 @@ void RequestHandler::fulfil(const Reload& /*request*/) {
 }
 
 /// Cancels the work that is shown as in progress (Viewer::useChanges).
-void RequestHandler::fulfil(const CancelBuild& /*request*/) {
+void RequestHandler::handle(const CancelBuild& /*request*/) {
   parts_.replay.progress() ? parts_.replay.cancel(parts_.viewer) : parts_.world_swap.cancel(parts_.viewer);
 }
 
-void RequestHandler::fulfil(const SaveScene& request) { saveThen(request, std::nullopt); }
+void RequestHandler::handle(const SaveScene& request) { saveThen(request, std::nullopt); }
 
 void RequestHandler::saveThen(const SaveScene& request, const std::optional<Request>& then) {
   ViewerState& viewer = parts_.viewer;
@@ -122,20 +122,20 @@ void RequestHandler::saveThen(const SaveScene& request, const std::optional<Requ
   if (saving == Outputs::Saving::done && then) handle(madeSure(*then));
 }
 
-void RequestHandler::fulfil(const CopyScene& /*request*/) {
+void RequestHandler::handle(const CopyScene& /*request*/) {
   ViewerState& viewer = parts_.viewer;
   if (!parts_.host.set_clipboard) return viewer.report(Severity::warning, "There is no clipboard");
   parts_.host.set_clipboard(sceneSnippet(viewer));
   viewer.report(Severity::info, "Scene copied to the clipboard");
 }
 
-void RequestHandler::fulfil(const ResetScene& /*request*/) { parts_.viewer.history.reset(parts_.viewer); }
-void RequestHandler::fulfil(const Undo& /*request*/) { parts_.viewer.history.undo(parts_.viewer); }
-void RequestHandler::fulfil(const Redo& /*request*/) { parts_.viewer.history.redo(parts_.viewer); }
-void RequestHandler::fulfil(const UseProfile& /*request*/) { parts_.outputs.useProfile(parts_.viewer); }
+void RequestHandler::handle(const ResetScene& /*request*/) { parts_.viewer.history.reset(parts_.viewer); }
+void RequestHandler::handle(const Undo& /*request*/) { parts_.viewer.history.undo(parts_.viewer); }
+void RequestHandler::handle(const Redo& /*request*/) { parts_.viewer.history.redo(parts_.viewer); }
+void RequestHandler::handle(const UseProfile& /*request*/) { parts_.outputs.useProfile(parts_.viewer); }
 
 /// Continues the request that waited for the answer, unless the saving failed or has a question of its own.
-void RequestHandler::fulfil(const AnswerQuestion& request) {
+void RequestHandler::handle(const AnswerQuestion& request) {
   ViewerState& viewer = parts_.viewer;
   if (!viewer.question) return;
   const Question question = *std::exchange(viewer.question, std::nullopt);
@@ -168,33 +168,33 @@ void RequestHandler::fulfil(const AnswerQuestion& request) {
 
 // ---- pictures and recordings
 
-void RequestHandler::fulfil(const TakeScreenshot& request) { parts_.outputs.askForScreenshot(request); }
-void RequestHandler::fulfil(const TakeClearScreenshot& /*request*/) { parts_.outputs.askForClearPicture(); }
-void RequestHandler::fulfil(const ToggleSequence& /*request*/) { parts_.outputs.toggleSequence(parts_.viewer); }
-void RequestHandler::fulfil(const StartFilm& request) { parts_.outputs.startFilm(parts_.viewer, request.file); }
-void RequestHandler::fulfil(const StopFilm& /*request*/) { parts_.outputs.stopFilm(parts_.viewer); }
+void RequestHandler::handle(const TakeScreenshot& request) { parts_.outputs.askForScreenshot(request); }
+void RequestHandler::handle(const TakeClearScreenshot& /*request*/) { parts_.outputs.askForClearPicture(); }
+void RequestHandler::handle(const ToggleSequence& /*request*/) { parts_.outputs.toggleSequence(parts_.viewer); }
+void RequestHandler::handle(const StartFilm& request) { parts_.outputs.startFilm(parts_.viewer, request.file); }
+void RequestHandler::handle(const StopFilm& /*request*/) { parts_.outputs.stopFilm(parts_.viewer); }
 
-void RequestHandler::fulfil(const OpenBeside& request) {
+void RequestHandler::handle(const OpenBeside& request) {
   parts_.replay.load(request.file, true, parts_.world, parts_.viewer);
 }
 
-void RequestHandler::fulfil(const PlayScript& /*request*/) { parts_.replay.playScript(parts_.world, parts_.viewer); }
-void RequestHandler::fulfil(const SavePlots& /*request*/) { parts_.outputs.savePlots(parts_.viewer); }
-void RequestHandler::fulfil(const ToggleForces& /*request*/) { parts_.outputs.toggleForces(parts_.viewer); }
+void RequestHandler::handle(const PlayScript& /*request*/) { parts_.replay.playScript(parts_.world, parts_.viewer); }
+void RequestHandler::handle(const SavePlots& /*request*/) { parts_.outputs.savePlots(parts_.viewer); }
+void RequestHandler::handle(const ToggleForces& /*request*/) { parts_.outputs.toggleForces(parts_.viewer); }
 
-void RequestHandler::fulfil(const KeepRecording& /*request*/) {
-  parts_.keeper.keep(parts_.viewer, parts_.outputs.folder());
+void RequestHandler::handle(const KeepRecording& /*request*/) {
+  parts_.keeper.save(parts_.viewer, parts_.outputs.folder());
 }
 
-void RequestHandler::fulfil(const SetMark& request) { parts_.keeper.mark(parts_.viewer, request.words); }
+void RequestHandler::handle(const SetMark& request) { parts_.keeper.mark(parts_.viewer, request.words); }
 
 // ---- the window
 
-void RequestHandler::fulfil(const GoHome& /*request*/) { parts_.camera.setView(view::StandardView::back); }
+void RequestHandler::handle(const GoHome& /*request*/) { parts_.camera.setView(view::StandardView::back); }
 
-void RequestHandler::fulfil(const SetView& request) { parts_.camera.setView(request.side); }
+void RequestHandler::handle(const SetView& request) { parts_.camera.setView(request.side); }
 
-void RequestHandler::fulfil(const GoToPlace& request) {
+void RequestHandler::handle(const GoToPlace& request) {
   ViewerState& viewer = parts_.viewer;
   try {
     const body::NamedPlace place =
@@ -207,15 +207,15 @@ void RequestHandler::fulfil(const GoToPlace& request) {
   }
 }
 
-void RequestHandler::fulfil(const ToggleFullScreen& /*request*/) {
+void RequestHandler::handle(const ToggleFullScreen& /*request*/) {
   if (parts_.host.toggle_full_screen) parts_.host.toggle_full_screen();
 }
 
-void RequestHandler::fulfil(const CopyView& /*request*/) {
+void RequestHandler::handle(const CopyView& /*request*/) {
   if (parts_.host.set_clipboard) parts_.host.set_clipboard(viewAsText(parts_.viewer.camera));
 }
 
-void RequestHandler::fulfil(const PasteView& /*request*/) {
+void RequestHandler::handle(const PasteView& /*request*/) {
   if (const auto camera = viewFromText(parts_.host.clipboard ? parts_.host.clipboard() : "")) {
     parts_.camera.flyTo(*camera);
   } else {
@@ -223,9 +223,9 @@ void RequestHandler::fulfil(const PasteView& /*request*/) {
   }
 }
 
-void RequestHandler::fulfil(const Quit& /*request*/) { quits_ = true; }
+void RequestHandler::handle(const Quit& /*request*/) { quits_ = true; }
 
-void RequestHandler::fulfil(const GiveWay& request) {
+void RequestHandler::handle(const GiveWay& request) {
   if (!parts_.host.give_way) return;
   parts_.host.give_way(request.activity);
   quits_ = true;
@@ -233,25 +233,25 @@ void RequestHandler::fulfil(const GiveWay& request) {
 
 // ---- a class
 
-void RequestHandler::fulfil(const ShowClass& /*request*/) { parts_.viewer.state.shown.class_dialog = true; }
-void RequestHandler::fulfil(const StartClass& request) { parts_.class_run.start(request, parts_.viewer.class_shown); }
-void RequestHandler::fulfil(const WatchClass& request) {
+void RequestHandler::handle(const ShowClass& /*request*/) { parts_.viewer.state.shown.class_dialog = true; }
+void RequestHandler::handle(const StartClass& request) { parts_.class_run.start(request, parts_.viewer.class_shown); }
+void RequestHandler::handle(const WatchClass& request) {
   parts_.class_run.watch(request.folder, parts_.viewer.class_shown);
 }
-void RequestHandler::fulfil(const JoinClass& request) {
+void RequestHandler::handle(const JoinClass& request) {
   parts_.class_run.join(request.folder, parts_.viewer.class_shown);
 }
-void RequestHandler::fulfil(const EndClass& /*request*/) { parts_.class_run.end(parts_.viewer.class_shown); }
+void RequestHandler::handle(const EndClass& /*request*/) { parts_.class_run.end(parts_.viewer.class_shown); }
 
 // ---- devices
 
-void RequestHandler::fulfil(const OpenDevice& request) {
+void RequestHandler::handle(const OpenDevice& request) {
   parts_.devices.open(request.finger, request.words, parts_.viewer);
 }
 
-void RequestHandler::fulfil(const CloseDevice& request) { parts_.devices.close(request.finger, parts_.viewer); }
-void RequestHandler::fulfil(const FindDevices& /*request*/) { parts_.devices.lookForBackEnds(parts_.viewer); }
-void RequestHandler::fulfil(const StopDevices& /*request*/) { parts_.devices.stop(parts_.viewer); }
-void RequestHandler::fulfil(const ReleaseStop& /*request*/) { parts_.devices.release(parts_.viewer); }
+void RequestHandler::handle(const CloseDevice& request) { parts_.devices.close(request.finger, parts_.viewer); }
+void RequestHandler::handle(const FindDevices& /*request*/) { parts_.devices.lookForBackEnds(parts_.viewer); }
+void RequestHandler::handle(const StopDevices& /*request*/) { parts_.devices.stop(parts_.viewer); }
+void RequestHandler::handle(const ReleaseStop& /*request*/) { parts_.devices.release(parts_.viewer); }
 
 }  // namespace palpate::viewer

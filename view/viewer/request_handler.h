@@ -68,55 +68,55 @@ class RequestHandler {
 
  private:
   // Without further questions.
-  void fulfil(const OpenFile& request);
-  void fulfil(const OpenBeside& request);
-  void fulfil(const OpenPreset& request);
-  void fulfil(const Reload& request);
-  void fulfil(const CancelBuild& request);
-  void fulfil(const SaveScene& request);
-  void fulfil(const CopyScene& request);
-  void fulfil(const ResetScene& request);
-  void fulfil(const Undo& request);
-  void fulfil(const Redo& request);
-  void fulfil(const UseProfile& request);
-  void fulfil(const AnswerQuestion& request);
-  void fulfil(const TakeScreenshot& request);
-  void fulfil(const TakeClearScreenshot& request);
-  void fulfil(const ToggleSequence& request);
-  void fulfil(const PlayScript& request);
-  void fulfil(const SavePlots& request);
-  void fulfil(const ToggleForces& request);
-  void fulfil(const KeepRecording& request);
-  void fulfil(const SetMark& request);
-  void fulfil(const GoHome& request);
-  void fulfil(const GoToPlace& request);
-  void fulfil(const SetView& request);
-  void fulfil(const ToggleFullScreen& request);
-  void fulfil(const CopyView& request);
-  void fulfil(const PasteView& request);
-  void fulfil(const OpenDevice& request);
-  void fulfil(const CloseDevice& request);
-  void fulfil(const FindDevices& request);
-  void fulfil(const StopDevices& request);
-  void fulfil(const ReleaseStop& request);
-  void fulfil(const Quit& request);
-  void fulfil(const GiveWay& request);
-  void fulfil(const StartFilm& request);
-  void fulfil(const StopFilm& request);
-  void fulfil(const ShowClass& request);
-  void fulfil(const StartClass& request);
-  void fulfil(const WatchClass& request);
-  void fulfil(const JoinClass& request);
-  void fulfil(const EndClass& request);
+  void handle(const OpenFile& request);
+  void handle(const OpenBeside& request);
+  void handle(const OpenPreset& request);
+  void handle(const Reload& request);
+  void handle(const CancelBuild& request);
+  void handle(const SaveScene& request);
+  void handle(const CopyScene& request);
+  void handle(const ResetScene& request);
+  void handle(const Undo& request);
+  void handle(const Redo& request);
+  void handle(const UseProfile& request);
+  void handle(const AnswerQuestion& request);
+  void handle(const TakeScreenshot& request);
+  void handle(const TakeClearScreenshot& request);
+  void handle(const ToggleSequence& request);
+  void handle(const PlayScript& request);
+  void handle(const SavePlots& request);
+  void handle(const ToggleForces& request);
+  void handle(const KeepRecording& request);
+  void handle(const SetMark& request);
+  void handle(const GoHome& request);
+  void handle(const GoToPlace& request);
+  void handle(const SetView& request);
+  void handle(const ToggleFullScreen& request);
+  void handle(const CopyView& request);
+  void handle(const PasteView& request);
+  void handle(const OpenDevice& request);
+  void handle(const CloseDevice& request);
+  void handle(const FindDevices& request);
+  void handle(const StopDevices& request);
+  void handle(const ReleaseStop& request);
+  void handle(const Quit& request);
+  void handle(const GiveWay& request);
+  void handle(const StartFilm& request);
+  void handle(const StopFilm& request);
+  void handle(const ShowClass& request);
+  void handle(const StartClass& request);
+  void handle(const WatchClass& request);
+  void handle(const JoinClass& request);
+  void handle(const EndClass& request);
   void saveThen(const SaveScene& request, const std::optional<Request>& then);
 
-  void lookAtSides();
+  void checkOrientation();
   void askForUnit(OpenFile request, const std::optional<double>& longest_units);
 
   RequestParts parts_;
   bool quits_ = false;
-  std::optional<OpenFile> to_look_at_;  ///< a mesh of unknown unit
-  OpenFile looked_at_;
+  std::optional<OpenFile> to_measure_;  ///< a mesh of unknown unit
+  OpenFile measured_;
   AsyncTask<FilePreview> look_;
   const scene::Body* looked_at_body_ = nullptr;  ///< the question about its side was asked; only compared
   AsyncTask<mesh::TurnOver> sides_;
@@ -131,7 +131,7 @@ class RequestHandler {
 bool needsConfirmation(const Request& request, ViewerState& viewer);
 
 /// The key's answer to the viewer's question, or empty.
-std::string_view answerOf(window::Key key, const ViewerState& viewer);
+std::string_view answerForKey(window::Key key, const ViewerState& viewer);
 
 /// The window's title: the open file, and a star for unsaved changes.
 std::string titleOf(const ViewerState& viewer);

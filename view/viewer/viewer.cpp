@@ -31,7 +31,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
     : settings_(std::move(settings)),
       host_(std::move(host)),
       world_(world),
-      servo_(planFor(world, world->scene, true, abilitiesOf(settings_.devices)), settings_.devices),
+      servo_(planFor(world, world->scene, true, scaledCapabilities(settings_.devices)), settings_.devices),
       model_(std::make_unique<LiveModel>(world)),
       world_swap_(world),
       devices_(servo_, world_swap_),
@@ -48,33 +48,33 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
   viewer_.scene = world->scene;
   viewer_.document = settings_.document;
   viewer_.output_folder = outputs_.folder();
-  takeFacts();
+  updateFacts();
   viewer_.profile.knots = world->deformation.normal_profile.knots;
   viewer_.held = servo_.abilities();
   if (host_.activities) viewer_.activities = host_.activities();
   viewer_.class_shown.offered = class_run_.offered();
   viewer_.ticks_per_s = servo_.thread().ticksPerS();
-  world_swap_.planNow(viewer_);  // gives the viewer's state the limits
+  world_swap_.makePlan(viewer_);  // gives the viewer's state the limits
   for (SampleHistory& plot : viewer_.plots.fingers) plot = SampleHistory(viewer_.ticks_per_s);
   input_.settings = viewer_.state.input;
-  viewer_.performance.graphics = view::rendererWords();
+  viewer_.performance.graphics = view::rendererString();
   devices_.begin(viewer_);
   for (const auto& mode : modes_) mode->begin(viewer_, *world, gui_);
 }
 
 Viewer::~Viewer() = default;
 
-void Viewer::takeFacts() {
+void Viewer::updateFacts() {
   const bool other_file = viewer_.world.channels != world_->body->channels;
-  viewer_.world = factsOf(*world_);
+  viewer_.world = collectWorldFacts(*world_);
   if (!other_file) return;
-  const std::string words = useChannelsOf(*world_, viewer_.state.look);
+  const std::string words = adoptChannels(*world_, viewer_.state.look);
   if (!words.empty()) viewer_.report(Severity::info, words);
 }
 
 servo::LoopReport Viewer::finish(std::string_view ended_by) {
   servo::LoopReport report = servo_.thread().stop();
-  takeSamples();
+  processSamples();
   for (const auto& mode : modes_) {
     if (const std::string words = mode->finish(ended_by); !words.empty()) viewer_.report(Severity::error, words);
   }
@@ -89,7 +89,7 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   const double elapsed_s = first ? 1.0 / 60.0 : std::max(1e-4, now_s - viewer_.now_s);
   viewer_.now_s = now_s;
   makeTarget(width, height);
-  takeWorld();
+  adoptWorld();
   replay_.take(world_, *model_, viewer_);
   followServo(elapsed_s);
   const double points = scale * viewer_.state.text_size;
@@ -103,7 +103,7 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   const bool any = held || !events.empty() || output.changed != kNothing || !output.requests.empty();
   useChanges(elapsed_s);
   if (!viewer_.opening && !modes_.claims().window) viewer_.history.follow(viewer_, {held, viewer_.editingNow(), any});
-  tellTitle();
+  updateTitle();
   pointServo();
   paintAndKeep(points);
   Performance& performance = viewer_.performance;
@@ -124,13 +124,13 @@ void Viewer::lookAround() {
     // A mode's column exists in any window: the body keeps to the rest.
     if (!modes_.claims().window && viewer_.size_points.x() < kNarrowPoints) viewer_.state.shown.panel = false;
     viewer_.camera = homeView(*world_, viewer_.state.shown, view::StandardView::back, viewer_.size_points);
-    takeSceneLook(*world_, viewer_, viewer_.size_points);
+    applySceneLook(*world_, viewer_, viewer_.size_points);
     beginScene();
     if (modes_.homeBox()) camera_.setView(view::StandardView::back);
     if (settings_.intro && !viewer_.state.reduced_motion) intro_.begin(*world_, viewer_.now_s);
   }
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, target_->width(), target_->height());
-  eyes_ = view::eyesOf(viewer_.camera, stereo_, eye.aspect());
+  eyes_ = view::placeEyes(viewer_.camera, stereo_, eye.aspect());
   pointer_.look({eyes_.screen, eyes_.middle, Vec2(target_->width(), target_->height()), stereo_.mode}, world_);
   const Sight sight{frustum(), viewer_.size_points, target_->width() / viewer_.size_points.x(), pointer_};
   for (const auto& mode : modes_) mode->look(sight, viewer_);
@@ -140,17 +140,17 @@ void Viewer::lookAround() {
 view::Frustum Viewer::frustum() const {
   constexpr double kNearMm = 1.0;
   constexpr double kFarMm = 1e6;
-  return view::frustumOf(eyes_.screen, eyes_.middle, kNearMm, kFarMm);
+  return view::makeFrustum(eyes_.screen, eyes_.middle, kNearMm, kFarMm);
 }
 
-void Viewer::takeWorld() {
-  const WorldSwap::Shown shown = world_swap_.takeShown(servo_.thread());
+void Viewer::adoptWorld() {
+  const WorldSwap::Shown shown = world_swap_.popShown(servo_.thread());
   if (!shown.world) return;
   const bool other_scene = std::exchange(viewer_.opening, false);
   world_ = shown.world;
   model_->setWorld(world_);
   for (const auto& mode : modes_) mode->worldCame(*world_);
-  takeFacts();
+  updateFacts();
   if (viewer_.profile.handle < 0) viewer_.profile.knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;
   devices_.bodyChanged();
@@ -165,7 +165,7 @@ void Viewer::takeWorld() {
   view::Camera camera = homeView(*world_, viewer_.state.shown, view::StandardView::back, viewer_.size_points);
   if (other_scene) {
     const view::Camera before = viewer_.camera;
-    if (takeSceneLook(*world_, viewer_, viewer_.size_points)) camera = std::exchange(viewer_.camera, before);
+    if (applySceneLook(*world_, viewer_, viewer_.size_points)) camera = std::exchange(viewer_.camera, before);
     beginScene();
   }
   camera_.showBody(camera);
@@ -180,7 +180,7 @@ void Viewer::beginScene() {
 }
 
 void Viewer::followServo(double elapsed_s) {
-  takeSamples();
+  processSamples();
   Performance& performance = viewer_.performance;
   performance.servo = servo_.thread().vitals();
   performance.dropped_samples = servo_.thread().droppedSamples();
@@ -195,7 +195,7 @@ void Viewer::show(std::span<const trace::Sample> contacts) {
   viewer_.performance.upload_ms = times.upload_ms;
 }
 
-void Viewer::takeSamples() {
+void Viewer::processSamples() {
   trace::Sample sample;
   while (servo_.thread().pop(sample)) {
     outputs_.addSample(viewer_, sample);
@@ -215,7 +215,7 @@ void Viewer::placeRulerLabel() {
   ruler.label = seen.allFinite() ? Vec2(seen.cwiseProduct(viewer_.size_points)) : Vec2(0.5 * viewer_.size_points);
 }
 
-void Viewer::tellTitle() {
+void Viewer::updateTitle() {
   std::string title = titleOf(viewer_);
   if (!host_.set_title || title == title_ || modes_.claims().window) return;
   title_ = std::move(title);
@@ -264,9 +264,9 @@ void Viewer::paintAndKeep(double scale) {
   const bool twice = outputs_.wantsNoPopUps(viewer_) && gui_.leavesOut(staysInPictures);
   painter_.paint(parts, twice ? staysInPictures : nullptr);
   outputs_.frameDrawn(viewer_, [this] { return target_->read(); });
-  if (const auto picture = outputs_.takeSavedPicture(); !picture.empty()) keeper_.attachPicture(picture);
+  if (const auto picture = outputs_.popSavedPicture(); !picture.empty()) keeper_.attachPicture(picture);
   if (twice) painter_.paint(parts);
-  if (!outputs_.takeClearPicture()) return;
+  if (!outputs_.popClearPictureRequest()) return;
   try {
     outputs_.saveClearPicture(viewer_, painter_.paintClear(parts));
   } catch (const std::exception& error) {

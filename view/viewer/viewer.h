@@ -75,7 +75,7 @@ class Viewer {
   const Pointer& pointer() const { return pointer_; }
   const scene::World& world() const { return model_->world(); }
   /// For an end without questions: saves a changed scene next to its source. Returns the file, or empty. Throws Error.
-  std::filesystem::path keepChanges() const { return outputs_.keepChanges(viewer_); }
+  std::filesystem::path saveBackup() const { return outputs_.saveBackup(viewer_); }
   /// Ends the servo and returns its report of the whole run. The recording notes what ended it. Call nothing
   /// afterwards.
   servo::LoopReport finish(std::string_view ended_by = "done");
@@ -83,21 +83,21 @@ class Viewer {
  private:
   void makeTarget(int width, int height);
   void lookAround();
-  void takeWorld();
-  void takeFacts();
+  void adoptWorld();
+  void updateFacts();
   void beginScene();
   void followServo(double elapsed_s);
   void show(std::span<const trace::Sample> contacts);
   void drawGuiPasses(std::span<const window::InputEvent> events, double points, double elapsed_s);
   void drawGuiPass(std::span<const window::InputEvent> events, double points, double elapsed_s);
-  void takeSamples();
+  void processSamples();
   void handle(std::span<const window::InputEvent> events);
   void handle(const window::Command& command);
   void actOn(const window::Command& command);
   void measure(const window::Command& command);
   view::Frustum frustum() const;
   void placeRulerLabel();
-  void tellTitle();
+  void updateTitle();
   void useChanges(double elapsed_s);
   void pointServo();
   void showCursor();

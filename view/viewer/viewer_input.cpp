@@ -45,7 +45,7 @@ void Viewer::drawGuiPass(std::span<const window::InputEvent> events, double poin
   placeRulerLabel();
   const auto& place = pointer_.placeOf(viewer_.active_finger);
   viewer_.place_words =
-      place ? view::placeInLanguage(body::inWords(viewer_.world.landmarks, place->point)) : std::string();
+      place ? view::placeInLanguage(body::describePlace(viewer_.world.landmarks, place->point)) : std::string();
   drawGui(viewer_, modes_, {example_pictures_, file_preview_});
   gui_.end();
 }
@@ -62,7 +62,7 @@ void Viewer::handle(std::span<const window::InputEvent> events) {
     if (event.kind == EventKind::drop && !modes_.claims().window) viewer_.request(OpenFile{event.text});
     if (event.kind == EventKind::move || event.kind == EventKind::button) intro_.end(pointer_);
     if (viewer_.question && event.kind == EventKind::key) {
-      const std::string_view chosen = event.down ? answerOf(event.key, viewer_) : std::string_view();
+      const std::string_view chosen = event.down ? answerForKey(event.key, viewer_) : std::string_view();
       if (!chosen.empty()) viewer_.request(AnswerQuestion{std::string(chosen)});
       continue;
     }

@@ -67,12 +67,12 @@ std::string report;
 
 /// The body of an STL file, for palpate_bench_run.
 PALPATE_EXPORT const char* palpate_bench_open(const char* stl, std::size_t length) {
-  return errorOf([&] { measured = std::make_unique<contact::Surface>(surfaceOf({stl, length})); });
+  return catchError([&] { measured = std::make_unique<contact::Surface>(surfaceOf({stl, length})); });
 }
 
 /// Along a table of t_s,x_mm,y_mm,z_mm by a ball of this radius (0: a point). palpate_bench_report has what came of it.
 PALPATE_EXPORT const char* palpate_bench_run(const char* table, std::size_t length, double radius_mm) {
-  return errorOf([&] {
+  return catchError([&] {
     contact::FingerSettings settings;
     settings.radius_mm = radius_mm;
     const std::vector<Vec3> tips =

@@ -42,7 +42,7 @@ namespace {
 /// More triangles than a page can hold with its maps and trees in 2 GB.
 constexpr std::size_t kMaxTriangles = 2'000'000;
 
-mesh::Format formatOf(std::string_view name) {
+mesh::Format detectFormat(std::string_view name) {
   std::string extension = std::filesystem::path(name).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -82,7 +82,7 @@ std::shared_ptr<const scene::World> openMesh(std::string_view bytes, std::string
   mesh::LoadOptions options;
   options.unit_mm = unit_mm;
   options.keep_wrong_indices = true;  // mending leaves such triangles out
-  auto [mesh, channels, notes] = mesh::loadWithChannelsFromMemory(bytes, formatOf(name), name, options);
+  auto [mesh, channels, notes] = mesh::loadWithChannelsFromMemory(bytes, detectFormat(name), name, options);
   if (mesh.triangles.size() > kMaxTriangles) {
     throw Error::inFile(name, fmt::format("{} triangles are more than the {} that a page can hold",
                                           mesh.triangles.size(), kMaxTriangles));
@@ -151,7 +151,7 @@ std::string jsonText(std::string_view text) {
 std::string numbers(const Vec3& v) { return fmt::format("[{},{},{}]", v.x(), v.y(), v.z()); }
 
 /// JSON: [{name, at: [x, y, z], normal: [x, y, z]}], in an examiner's terms.
-std::string inWords(const std::vector<body::SkinLandmark>& landmarks) {
+std::string landmarksJson(const std::vector<body::SkinLandmark>& landmarks) {
   std::string words;
   for (const body::SkinLandmark& landmark : landmarks) {
     words +=
@@ -162,12 +162,12 @@ std::string inWords(const std::vector<body::SkinLandmark>& landmarks) {
 }
 
 /// JSON: name, closed, bones (their number), notes, landmarks.
-std::string bodyInWords(const scene::World& world) {
+std::string bodyJson(const scene::World& world) {
   std::string notes;
   for (const std::string& note : world.notes) notes += (notes.empty() ? "" : ",") + jsonText(note);
   return fmt::format(R"({{"name":{},"closed":{},"bones":{},"notes":[{}],"landmarks":{}}})", jsonText(world.body->name),
                      world.body->closed, world.body->anatomy.bones.size(), notes,
-                     inWords(world.body->anatomy.landmarks));
+                     landmarksJson(world.body->anatomy.landmarks));
 }
 
 std::unique_ptr<LiveBody> body;
@@ -193,7 +193,7 @@ void gatherBones(const std::vector<body::Bone>& bones) {
 }
 
 /// In the layout of a frame (frame_packer.h), so that it can be shown while it is built.
-std::vector<float> restOf(const mesh::TriangleMesh& skin) {
+std::vector<float> packRestFrame(const mesh::TriangleMesh& skin) {
   std::vector<float> rest;
   rest.reserve(kFloatsOfVertex * skin.positions.size());
   const std::vector<Vec3> normals = mesh::vertexNormals(skin);
@@ -205,7 +205,7 @@ std::vector<float> restOf(const mesh::TriangleMesh& skin) {
   return rest;
 }
 
-void take(std::shared_ptr<const scene::World> world) {
+void adoptWorld(std::shared_ptr<const scene::World> world) {
   body.reset();  // there may not be room for both
   body = std::make_unique<LiveBody>(std::move(world));
   gatherBones(body->world().body->anatomy.bones);
@@ -226,31 +226,31 @@ PALPATE_EXPORT void palpate_give(void* memory) { std::free(memory); }
 
 /// Reads the trunk's file; palpate_open_ready makes it the body. Between them it can be looked at.
 PALPATE_EXPORT const char* palpate_read_ready(const char* bytes, std::size_t length) {
-  return errorOf([&] {
+  return catchError([&] {
     ready = scene::decodeBody({bytes, length}, "trunk");
-    ready_rest = restOf(ready.parts.skin);
+    ready_rest = packRestFrame(ready.parts.skin);
   });
 }
 PALPATE_EXPORT std::size_t palpate_ready_vertices() { return ready.parts.skin.positions.size(); }
 PALPATE_EXPORT const float* palpate_ready_rest() { return ready_rest.data(); }
 PALPATE_EXPORT std::size_t palpate_ready_triangles() { return ready.parts.skin.triangles.size(); }
 PALPATE_EXPORT const Index* palpate_ready_corners() { return ready.parts.skin.triangles.data()->data(); }
-PALPATE_EXPORT const char* palpate_ready_landmarks() { return keptText(inWords(ready.parts.anatomy.landmarks)); }
+PALPATE_EXPORT const char* palpate_ready_landmarks() { return keptText(landmarksJson(ready.parts.anatomy.landmarks)); }
 PALPATE_EXPORT const char* palpate_open_ready() {
-  return errorOf([] {
+  return catchError([] {
     ready_rest = {};
-    take(openReady(std::exchange(ready, {})));
+    adoptWorld(openReady(std::exchange(ready, {})));
   });
 }
 
 PALPATE_EXPORT const char* palpate_open_mesh(const char* bytes, std::size_t length, const char* name,
                                              std::size_t name_length, double unit_mm) {
-  return errorOf([&] { take(openMesh({bytes, length}, {name, name_length}, unit_mm)); });
+  return catchError([&] { adoptWorld(openMesh({bytes, length}, {name, name_length}, unit_mm)); });
 }
 
 /// `numbers`: x, y, radius and change in per cent of each dysfunction.
 PALPATE_EXPORT const char* palpate_set_dysfunctions(const double* numbers, std::size_t count) {
-  return errorOf([&] {
+  return catchError([&] {
     std::vector<maps::Dysfunction> dysfunctions(count);
     for (std::size_t i = 0; i < count; ++i) {
       const double* n = numbers + 4 * i;
@@ -262,12 +262,12 @@ PALPATE_EXPORT const char* palpate_set_dysfunctions(const double* numbers, std::
 
 /// Not 0: the preset's three, which only the trunk has room for; 0: none.
 PALPATE_EXPORT const char* palpate_set_lumps(int on) {
-  return errorOf([&] { body->setLumps(on != 0 ? presetLumps() : std::vector<scene::LumpSettings>()); });
+  return catchError([&] { body->setLumps(on != 0 ? presetLumps() : std::vector<scene::LumpSettings>()); });
 }
 
 // ---- what the body looks like
 
-PALPATE_EXPORT const char* palpate_about() { return keptText(bodyInWords(body->world())); }
+PALPATE_EXPORT const char* palpate_about() { return keptText(bodyJson(body->world())); }
 PALPATE_EXPORT std::size_t palpate_vertices() { return body->world().deformable->vertices; }
 PALPATE_EXPORT std::size_t palpate_triangles() { return body->world().deformable->triangles.size(); }
 PALPATE_EXPORT const Index* palpate_triangle_corners() { return body->world().deformable->triangles.data()->data(); }

@@ -18,7 +18,7 @@ const char* keptText(std::string text);
 
 /// The text of an exception, or null. After any exception the engine stays usable.
 template <class Call>
-const char* errorOf(Call&& call) noexcept {
+const char* catchError(Call&& call) noexcept {
   try {
     std::forward<Call>(call)();
     return nullptr;

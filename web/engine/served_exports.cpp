@@ -90,7 +90,7 @@ std::unique_ptr<ServedSkin> served;
 
 PALPATE_EXPORT const char* palpate_served_open(const char* skin, std::size_t skin_length, const char* forms,
                                                std::size_t forms_length) {
-  return errorOf([&] {
+  return catchError([&] {
     served.reset();  // there may not be room for both
     served = std::make_unique<ServedSkin>(std::string_view(skin, skin_length), std::string_view(forms, forms_length));
   });
@@ -102,7 +102,7 @@ PALPATE_EXPORT const Index* palpate_served_corners() { return served->skin().tri
 
 /// Fails for bytes that are not a frame: a server of another version.
 PALPATE_EXPORT const char* palpate_served_follow(const char* frame, std::size_t length) {
-  return errorOf([&] {
+  return catchError([&] {
     if (!served->follow({frame, length})) throw std::runtime_error("the server sent a frame that is none");
   });
 }

@@ -26,14 +26,14 @@
 
 namespace {
 
-std::string figuresOf(palpate::bench::ContactWorld& world, double radius_mm) {
+std::string figuresJson(palpate::bench::ContactWorld& world, double radius_mm) {
   palpate::contact::FingerSettings finger;
   finger.radius_mm = radius_mm;
   const palpate::device::Trajectory path = palpate::lab::workloadPath("back_slide");
   const palpate::bench::ContactFigures figures = palpate::bench::measureContact(world, path, finger);
   const auto tips = palpate::device::resampled(path, finger.tick_s).tip_mm;
   std::vector<palpate::contact::FingerOutput> outputs(tips.size());
-  const auto tick_us = palpate::lab::percentilesOf(palpate::web::timeBlocks(world.surface, finger, tips, outputs));
+  const auto tick_us = palpate::lab::computePercentiles(palpate::web::timeBlocks(world.surface, finger, tips, outputs));
   return fmt::format(R"({{"radius_mm":{},"hash":"{:016x}","ticks":{},"p50_us":{:.4f},"p99_us":{:.4f}}})", radius_mm,
                      figures.hash, figures.ticks, tick_us.p50, tick_us.p99);
 }
@@ -43,7 +43,7 @@ void run(const std::filesystem::path& folder) {
   palpate::mesh::save(stl, palpate::lab::workloadMesh("back_20389"));
   palpate::device::writeTrajectory(folder / "back_slide.csv", palpate::lab::workloadPath("back_slide"));
   palpate::bench::ContactWorld world = palpate::bench::buildContactWorld(palpate::mesh::load(stl));
-  fmt::print("[{},{}]\n", figuresOf(world, 0.0), figuresOf(world, 8.0));
+  fmt::print("[{},{}]\n", figuresJson(world, 0.0), figuresJson(world, 8.0));
 }
 
 // ---- the trunk

@@ -13,7 +13,7 @@ namespace {
 
 constexpr py::ssize_t kAxes = 3;
 
-std::string shapeInWords(const py::array& array) {
+std::string formatShape(const py::array& array) {
   std::string words = "(";
   for (py::ssize_t i = 0; i < array.ndim(); ++i) words += fmt::format("{}{}", i == 0 ? "" : ", ", array.shape(i));
   return words + (array.ndim() == 1 ? ",)" : ")");
@@ -23,7 +23,7 @@ std::string shapeInWords(const py::array& array) {
 
 FloatArray toArray(const Vec3& point) { return py::array_t<double>(kAxes, point.data()); }
 
-py::array_t<double, py::array::c_style> floatsOf(py::handle given, const char* what, py::ssize_t last) {
+py::array_t<double, py::array::c_style> asFloats(py::handle given, const char* what, py::ssize_t last) {
   // Text and objects would be converted in silence, complex numbers cut.
   const py::array any = py::array::ensure(given);
   if (!any || std::string("biuf").find(any.dtype().kind()) == std::string::npos) {
@@ -34,15 +34,15 @@ py::array_t<double, py::array::c_style> floatsOf(py::handle given, const char* w
   if (!floats) throw py::error_already_set();
   if (last != 0 && (floats.ndim() == 0 || floats.shape(floats.ndim() - 1) != last)) {
     throw py::value_error(
-        fmt::format("{}: the last axis must be {} long, not of shape {}", what, last, shapeInWords(floats)));
+        fmt::format("{}: the last axis must be {} long, not of shape {}", what, last, formatShape(floats)));
   }
   return py::reinterpret_borrow<py::array_t<double, py::array::c_style>>(floats);
 }
 
-Vec3 pointOf(py::handle given, const char* what) {
-  const auto floats = floatsOf(given, what);
+Vec3 asPoint(py::handle given, const char* what) {
+  const auto floats = asFloats(given, what);
   if (floats.ndim() != 1 || floats.shape(0) != kAxes) {
-    throw py::value_error(fmt::format("{}: three numbers are wanted, not {}", what, shapeInWords(floats)));
+    throw py::value_error(fmt::format("{}: three numbers are wanted, not {}", what, formatShape(floats)));
   }
   return {floats.at(0), floats.at(1), floats.at(2)};
 }

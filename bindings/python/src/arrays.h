@@ -69,23 +69,23 @@ using IndexArray = Named<ArrayName<std::int64_t>>;
 /// A read-only array over memory of `owner`, which lives as long as the array, its slices and views. Strides in bytes;
 /// none: C order.
 template <class Number>
-py::array viewOf(const Number* data, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
+py::array arrayView(const Number* data, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
                  py::handle owner) {
   py::array array(py::dtype::of<Number>(), std::move(shape), std::move(strides), data, owner);
   py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
   return array;
 }
 template <class Number>
-py::array viewOf(const Number* data, std::vector<py::ssize_t> shape, py::handle owner) {
-  return viewOf(data, std::move(shape), {}, owner);
+py::array arrayView(const Number* data, std::vector<py::ssize_t> shape, py::handle owner) {
+  return arrayView(data, std::move(shape), {}, owner);
 }
 /// (V, 3).
-inline py::array viewOf(std::span<const Vec3> points, py::handle owner) {
-  return viewOf(points.empty() ? nullptr : points.front().data(), {static_cast<py::ssize_t>(points.size()), 3}, owner);
+inline py::array arrayView(std::span<const Vec3> points, py::handle owner) {
+  return arrayView(points.empty() ? nullptr : points.front().data(), {static_cast<py::ssize_t>(points.size()), 3}, owner);
 }
 /// (N,) of indices as int32, so that differences behave; kNoIndex is -1.
-inline py::array viewOf(std::span<const Index> indices, py::handle owner) {
-  return viewOf(reinterpret_cast<const std::int32_t*>(indices.data()), {static_cast<py::ssize_t>(indices.size())},
+inline py::array arrayView(std::span<const Index> indices, py::handle owner) {
+  return arrayView(reinterpret_cast<const std::int32_t*>(indices.data()), {static_cast<py::ssize_t>(indices.size())},
                 owner);
 }
 
@@ -94,10 +94,10 @@ FloatArray toArray(const Vec3& point);
 
 /// Converts to an array of float64 in C order, (..., `last`) where that is not 0; converted once, by numpy, when it is
 /// anything else. Throws TypeError for anything but numbers (`what` names it), ValueError for another shape.
-py::array_t<double, py::array::c_style> floatsOf(py::handle given, const char* what, py::ssize_t last = 0);
+py::array_t<double, py::array::c_style> asFloats(py::handle given, const char* what, py::ssize_t last = 0);
 
 /// Three numbers, as array, list or tuple. Throws TypeError or ValueError naming `what`.
-Vec3 pointOf(py::handle given, const char* what);
+Vec3 asPoint(py::handle given, const char* what);
 
 }  // namespace palpate::python
 

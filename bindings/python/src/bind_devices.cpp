@@ -42,7 +42,7 @@ namespace {
 
 // --- what is here ---------------------------------------------------------------------------------------------------
 
-Facts probeOf(const std::string& words) {
+Facts probeBackEnd(const std::string& words) {
   const device::DeviceName name = device::deviceNamed(words);
   device::OpenOptions options;
   options.which = name.which;
@@ -70,13 +70,13 @@ Facts probeOf(const std::string& words) {
 
 FactsList probes(const std::optional<std::vector<std::string>>& names) {
   FactsList all;
-  for (const std::string& words : names ? *names : device::backEndNames()) all.append(probeOf(words));
+  for (const std::string& words : names ? *names : device::backEndNames()) all.append(probeBackEnd(words));
   return all;
 }
 
 // --- one device -----------------------------------------------------------------------------------------------------
 
-double rateOf(double ticks_per_s) {
+double checkedRate(double ticks_per_s) {
   if (ticks_per_s >= 1.0 && ticks_per_s <= 1e5) return ticks_per_s;
   throw py::value_error(fmt::format("ticks_per_s = {:g} is out of range: 1 to 100,000", ticks_per_s));
 }
@@ -87,9 +87,9 @@ DevicePointer opened(const std::string& words, double scale, const ArrayLike& or
   device::OpenOptions options;
   options.library = library;
   options.axes = axes;
-  options.origin_mm = pointOf(origin_mm, "origin_mm");
+  options.origin_mm = asPoint(origin_mm, "origin_mm");
   options.scale = scale;
-  options.tick_s = 1.0 / rateOf(ticks_per_s);
+  options.tick_s = 1.0 / checkedRate(ticks_per_s);
   std::atomic<bool> give_up{false};
   options.give_up = &give_up;
   return unlocked([&](Interrupts& interrupts) {
@@ -108,7 +108,7 @@ DevicePointer opened(const std::string& words, double scale, const ArrayLike& or
 }
 
 DevicePointer scripted(const ArrayLike& tips) {
-  const auto places = floatsOf(tips, "tips", 3);
+  const auto places = asFloats(tips, "tips", 3);
   if (places.ndim() != 2) throw py::value_error("tips: an array (T, 3) is wanted");
   const auto path = std::make_shared<std::vector<Vec3>>();
   for (py::ssize_t i = 0; i < places.shape(0); ++i) {
@@ -134,14 +134,14 @@ FloatArray readTip(DeviceHandle& handle, const std::optional<std::uint64_t>& tic
 }
 
 void writeForce(DeviceHandle& handle, const ArrayLike& force_n) {
-  const Vec3 force = pointOf(force_n, "force");
+  const Vec3 force = asPoint(force_n, "force");
   if (!force.allFinite()) throw py::value_error("force: three finite numbers are wanted");
   const Busy::Guard guard(handle.busy, handle.device.name.c_str());
   device::Device& device = openDevice(handle);
   if (device.write_force) device.write_force(force);
 }
 
-Facts stateOf(DeviceHandle& handle) {
+Facts readState(DeviceHandle& handle) {
   const Busy::Guard guard(handle.busy, handle.device.name.c_str());
   device::Device& device = openDevice(handle);
   const device::DeviceState state = device.state ? device.state() : device::DeviceState{};
@@ -196,7 +196,7 @@ void bindDevice(py::module_& module) {
           "capabilities", capabilitiesOf,
           "dict: takes_force, max_force_n, continuous_force_n, nominal_stiffness_n_per_mm, rate_hz,\n"
           "delay_ticks, motion_scale, model, version; 0 and empty words: it does not say.")
-      .def_property_readonly("state", stateOf,
+      .def_property_readonly("state", readState,
                              "dict of what came with the last reading: velocity (3,) mm/s, buttons, faults and notes\n"
                              "(bits), age_ticks, trouble (words; empty: none).")
       .def_readonly("tick", &DeviceHandle::tick, "Of the next reading.")

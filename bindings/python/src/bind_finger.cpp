@@ -32,7 +32,7 @@ py::object valueOf(const Field<FingerSettings>& field, const FingerSettings& set
   return py::float_(field.get(settings));
 }
 
-std::string reprOf(const FingerSettings& settings) {
+std::string formatRepr(const FingerSettings& settings) {
   const FingerSettings usual;
   std::string text;
   for (const Field<FingerSettings>& field : contact::kFingerFields) {
@@ -127,17 +127,17 @@ void bindSettings(py::module_& module) {
   settings.def("replace", &replaced,
                "The same with some numbers changed, named as in the constructor. Raises TypeError for a name that is "
                "none, palpate.Error for a number that makes no sense.");
-  settings.def("__repr__", &reprOf, "As the constructor would be called.");
+  settings.def("__repr__", &formatRepr, "As the constructor would be called.");
   settings.def(
       "__eq__", [](const FingerSettings& self, const FingerSettings& other) { return equal(self, other); },
       py::is_operator(), "True where all numbers are the same.");
   settings.def(
-      "__hash__", [](const FingerSettings& self) { return py::hash(py::str(reprOf(self))); }, "Of all its numbers.");
+      "__hash__", [](const FingerSettings& self) { return py::hash(py::str(formatRepr(self))); }, "Of all its numbers.");
 }
 
 // ---- what was felt
 
-const char* wordOf(contact::Touch touch) {
+const char* touchName(contact::Touch touch) {
   if (touch == contact::Touch::free) return "free";
   return touch == contact::Touch::stick ? "stick" : "slip";
 }
@@ -146,7 +146,7 @@ const char* wordOf(contact::Touch touch) {
 template <auto Member>
 FloatArray pointIn(const py::object& self) {
   const auto& point = self.cast<const FingerOutput&>().*Member;
-  return viewOf(point.data(), {static_cast<py::ssize_t>(point.size())}, self);
+  return arrayView(point.data(), {static_cast<py::ssize_t>(point.size())}, self);
 }
 
 int signedIndex(Index index) { return std::bit_cast<std::int32_t>(index); }
@@ -174,7 +174,7 @@ void bindTouch(py::module_& module) {
       "rest_mm", [](const FingerOutput& self) { return self.rest_mm; },
       "Effective depth at which the skin under the finger would stay by itself, mm.");
   touch.def_property_readonly(
-      "state", [](const FingerOutput& self) { return wordOf(self.touch); }, "'free', 'stick' or 'slip'.");
+      "state", [](const FingerOutput& self) { return touchName(self.touch); }, "'free', 'stick' or 'slip'.");
   touch.def_property_readonly(
       "triangle", [](const FingerOutput& self) { return signedIndex(self.triangle); },
       "Triangle under the proxy, a row of World.triangles; -1 when free.");
@@ -200,7 +200,7 @@ void bindTouch(py::module_& module) {
   touch.def(
       "__repr__",
       [](const FingerOutput& self) {
-        return fmt::format("<Touch: {}, {:.4g} N, {:.4g} mm deep{}>", wordOf(self.touch), self.force.norm(),
+        return fmt::format("<Touch: {}, {:.4g} N, {:.4g} mm deep{}>", touchName(self.touch), self.force.norm(),
                            self.depth_mm, self.status == 0 ? "" : fmt::format(", status {}", self.status));
       },
       "In a few words.");
@@ -247,7 +247,7 @@ bool quickTip(PyObject* const* given, Py_ssize_t count, Vec3& tip) {
 }
 
 Vec3 anyTip(PyObject* const* given, Py_ssize_t count) {
-  if (count == 1) return pointOf(given[0], "tip");
+  if (count == 1) return asPoint(given[0], "tip");
   if (count != 3) throw py::type_error("step() takes a tip (3,) or x, y and z");
   Vec3 tip;
   for (int axis = 0; axis < 3; ++axis) tip[axis] = py::float_(py::reinterpret_borrow<py::object>(given[axis]));

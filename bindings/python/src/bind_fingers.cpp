@@ -15,7 +15,7 @@ namespace palpate::python {
 namespace {
 
 /// Fingers per part: small enough to look for Ctrl-C between two, large enough to be worth a counter.
-constexpr std::size_t kFingersAPart = 16;
+constexpr std::size_t kFingersPerPart = 16;
 
 struct MaybeMaskName {
   static constexpr auto name = py::detail::const_name("Optional[numpy.typing.ArrayLike]");
@@ -42,7 +42,7 @@ class FingersHandle {
   FeltDict step(const ArrayLike& given, std::size_t substeps, const MaybeFields& fields, const MaybeOut& out) {
     const Busy::Guard guard(busy_, "Fingers");
     requireOpen();
-    const auto tips = floatsOf(given, "tips", 3);
+    const auto tips = asFloats(given, "tips", 3);
     if (tips.ndim() != 2 || static_cast<std::size_t>(tips.shape(0)) != size()) {
       throw py::value_error(fmt::format("tips: must be ({}, 3)", size()));
     }
@@ -112,14 +112,14 @@ class FingersHandle {
 
   void stepAll(const double* tips, std::size_t substeps, const FeltRows& rows, Interrupts& interrupts) {
     const auto part_of_them = [&](std::size_t part, const Pause& pause) {
-      const std::size_t end = std::min(size(), (part + 1) * kFingersAPart);
-      for (std::size_t i = part * kFingersAPart; i < end; ++i) {
+      const std::size_t end = std::min(size(), (part + 1) * kFingersPerPart);
+      for (std::size_t i = part * kFingersPerPart; i < end; ++i) {
         stepOne(i, {tips[3 * i], tips[3 * i + 1], tips[3 * i + 2]}, substeps, pause);
         rows.write(i, felt_[i]);
       }
     };
-    const std::size_t parts = (size() + kFingersAPart - 1) / kFingersAPart;
-    if (size() * substeps < 2 * kTicksWorthAThread) {  // not worth waking a thread
+    const std::size_t parts = (size() + kFingersPerPart - 1) / kFingersPerPart;
+    if (size() * substeps < 2 * kMinTicksPerThread) {  // not worth waking a thread
       ThreadPool(1).share(parts, part_of_them, interrupts);
     } else {
       pool_.share(parts, part_of_them, interrupts);

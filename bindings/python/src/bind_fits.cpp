@@ -24,7 +24,7 @@ using tissue::ForceFit;
 using tissue::ProfileFit;
 
 std::vector<double> column(const ArrayLike& given, const char* what) {
-  const auto floats = floatsOf(given, what);
+  const auto floats = asFloats(given, what);
   if (floats.ndim() != 1) throw py::value_error(fmt::format("{}: an array (N,) is wanted", what));
   for (py::ssize_t i = 0; i < floats.size(); ++i) {
     if (!std::isfinite(floats.at(i))) throw py::value_error(fmt::format("{}[{}] is not a finite number", what, i));
@@ -63,8 +63,8 @@ void bindNumber(py::module_& module) {
 
 // --- force ----------------------------------------------------------------------------------------------------------
 
-FloatArray forcesOf(const ForceFit& fit, const ArrayLike& depth_mm) {
-  const auto depths = floatsOf(depth_mm, "depth_mm");
+FloatArray evaluateForces(const ForceFit& fit, const ArrayLike& depth_mm) {
+  const auto depths = asFloats(depth_mm, "depth_mm");
   py::array_t<double> forces(std::vector<py::ssize_t>(depths.shape(), depths.shape() + depths.ndim()));
   for (py::ssize_t i = 0; i < depths.size(); ++i) {
     forces.mutable_data()[i] = tissue::forceOf(fit, depths.data()[i]);
@@ -87,7 +87,7 @@ void bindForceFit(py::module_& module) {
       .def_readonly("unseen_rms", &ForceFit::unseen_rms, "The same of rows left out of the fit, a fifth at a time.")
       .def_readonly("rows", &ForceFit::rows, "How many were fitted.")
       .def_readonly("deepest_mm", &ForceFit::deepest_mm, "From the contact; beyond it the law is a guess.")
-      .def("force", forcesOf, py::arg("depth_mm"), "N at depths as the curve counts them; an array of their shape.")
+      .def("force", evaluateForces, py::arg("depth_mm"), "N at depths as the curve counts them; an array of their shape.")
       .def("__repr__", [](const ForceFit& f) {
         return fmt::format("ForceFit({}, {:.4g} N/mm, unseen {:.1f} %)", nameOf(f.form), f.secant.value,
                            100.0 * f.unseen_rms);
@@ -118,8 +118,8 @@ ForceFit fitShared(const std::vector<std::pair<ArrayLike, ArrayLike>>& curves, c
 
 // --- shape ----------------------------------------------------------------------------------------------------------
 
-FloatArray sharesOf(const ProfileFit& fit, const ArrayLike& r_mm, double (*share)(const ProfileFit&, double)) {
-  const auto radii = floatsOf(r_mm, "r_mm");
+FloatArray evaluateShares(const ProfileFit& fit, const ArrayLike& r_mm, double (*share)(const ProfileFit&, double)) {
+  const auto radii = asFloats(r_mm, "r_mm");
   py::array_t<double> shares(std::vector<py::ssize_t>(radii.shape(), radii.shape() + radii.ndim()));
   for (py::ssize_t i = 0; i < radii.size(); ++i) shares.mutable_data()[i] = share(fit, radii.data()[i]);
   return FloatArray(shares);
@@ -138,10 +138,10 @@ void bindProfileFit(py::module_& module) {
       .def_readonly("rms", &ProfileFit::rms, "Of the way down, a fraction of surface_mm, within 40 mm.")
       .def_readonly("unseen_rms", &ProfileFit::unseen_rms, "The same of places left out of the fit.")
       .def(
-          "down", [](const ProfileFit& f, const ArrayLike& r_mm) { return sharesOf(f, r_mm, tissue::downOf); },
+          "down", [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::downOf); },
           py::arg("r_mm"), "Share of surface_mm at distances from the axis at rest, mm; an array of their shape.")
       .def(
-          "outward", [](const ProfileFit& f, const ArrayLike& r_mm) { return sharesOf(f, r_mm, tissue::outwardOf); },
+          "outward", [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::outwardOf); },
           py::arg("r_mm"), "The same of the motion away from the axis; 0 where it was not measured.")
       .def("__repr__", [](const ProfileFit& f) {
         return fmt::format("ProfileFit({}, {:.3g} mm deep, unseen {:.2f} %)", nameOf(f.form), f.depth_mm,
@@ -169,11 +169,11 @@ std::vector<ProfileFit> fitProfiles(double depth_mm, const ArrayLike& r_mm, cons
 
 // --- any least squares ----------------------------------------------------------------------------------------------
 
-Eigen::VectorXd vectorOf(const std::vector<double>& values) {
+Eigen::VectorXd toEigen(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-FloatArray arrayOf(const Eigen::VectorXd& values) {
+FloatArray toFloatArray(const Eigen::VectorXd& values) {
   return FloatArray(py::array_t<double>(values.size(), values.data()));
 }
 
@@ -182,7 +182,7 @@ using Solved = std::tuple<FloatArray, FloatArray, double, std::vector<bool>>;
 
 Solved leastSquares(const py::function& residuals, const ArrayLike& start, const ArrayLike& low,
                     const ArrayLike& high) {
-  const Eigen::VectorXd begin = vectorOf(column(start, "start"));
+  const Eigen::VectorXd begin = toEigen(column(start, "start"));
   const std::vector<double> lows = column(low, "low");
   const std::vector<double> highs = column(high, "high");
   requireRows(static_cast<std::size_t>(begin.size()), lows.size(), "low");
@@ -197,14 +197,14 @@ Solved leastSquares(const py::function& residuals, const ArrayLike& start, const
   }
   Eigen::Index rows = -1;
   const auto missed = [&](const Eigen::VectorXd& numbers) {
-    const py::object answer = residuals(arrayOf(numbers));
-    const Eigen::VectorXd rest = vectorOf(column(py::reinterpret_borrow<ArrayLike>(answer), "residuals"));
+    const py::object answer = residuals(toFloatArray(numbers));
+    const Eigen::VectorXd rest = toEigen(column(py::reinterpret_borrow<ArrayLike>(answer), "residuals"));
     if (rows >= 0 && rest.size() != rows) throw py::value_error("residuals: their number must stay the same");
     rows = rest.size();
     return rest;
   };
   const tissue::BoundedFit fit = tissue::fitWithin(missed, {begin}, bounds);
-  return {arrayOf(fit.numbers), arrayOf(tissue::standardErrors(fit)), fit.squares, fit.at_bound};
+  return {toFloatArray(fit.numbers), toFloatArray(tissue::standardErrors(fit)), fit.squares, fit.at_bound};
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ void requireOpen(const HandLoop& loop) {
   if (loop.closed()) throw py::value_error("the loop is closed");
 }
 
-std::vector<contact::FingerOutput> contactsOf(const std::vector<trace::Sample>& samples) {
+std::vector<contact::FingerOutput> extractContacts(const std::vector<trace::Sample>& samples) {
   std::vector<contact::FingerOutput> touches;
   for (const trace::Sample& sample : samples) touches.push_back(sample.contact);
   return touches;
@@ -51,10 +51,10 @@ std::vector<contact::FingerOutput> turn(HandLoop& loop, const py::object& tips) 
   requireOpen(loop);
   if (tips.is_none()) {
     if (loop.takesTips()) throw py::value_error("tips: no device holds the fingers: say where they are");
-    return contactsOf(loop.tick());
+    return extractContacts(loop.tick());
   }
   if (!loop.takesTips()) throw py::value_error("tips: devices hold the fingers");
-  const auto places = floatsOf(tips, "tips", 3);
+  const auto places = asFloats(tips, "tips", 3);
   const auto count = static_cast<py::ssize_t>(loop.fingers());
   if (places.size() != 3 * count || places.ndim() > 2) {
     throw py::value_error(fmt::format("tips: an array ({}, 3) is wanted{}", count, count == 1 ? ", or (3,)" : ""));
@@ -62,7 +62,7 @@ std::vector<contact::FingerOutput> turn(HandLoop& loop, const py::object& tips) 
   std::vector<Vec3> points;
   for (py::ssize_t i = 0; i < count; ++i) points.emplace_back(Eigen::Map<const Vec3>(places.data() + 3 * i));
   loop.place(points);
-  return contactsOf(loop.tick());
+  return extractContacts(loop.tick());
 }
 
 FloatArray deviceForces(const HandLoop& loop) {
@@ -138,7 +138,7 @@ Facts durations(const servo::DurationPercentiles& of) {
   return facts;
 }
 
-Facts reportOf(const servo::LoopReport& report) {
+Facts loopReportFacts(const servo::LoopReport& report) {
   Facts facts;
   facts["ticks"] = report.ticks;
   facts["overruns"] = report.overruns;
@@ -216,7 +216,7 @@ Facts drive(const WorldPointer& world, const std::vector<DevicePointer>& devices
   Drive wanted{world, lent.devices(), settingsOf(*world->world, settings, devices.size()), seconds, session, notes};
   const double tick_s = 1.0 / world->world->scene.ticks_per_s;
   for (contact::FingerSettings& finger : wanted.settings) finger.tick_s = tick_s;
-  return reportOf(unlocked([&](Interrupts& interrupts) { return driven(wanted, interrupts); }));
+  return loopReportFacts(unlocked([&](Interrupts& interrupts) { return driven(wanted, interrupts); }));
 }
 
 }  // namespace

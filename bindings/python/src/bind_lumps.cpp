@@ -50,7 +50,7 @@ void putPlace(const PlaceLike& at, LumpSettings& lump) {
     lump.at = at.cast<std::string>();
     return;
   }
-  const auto place = floatsOf(at, "at");
+  const auto place = asFloats(at, "at");
   if (place.ndim() != 1 || (place.shape(0) != 2 && place.shape(0) != 3)) {
     throw py::value_error("at: a place by name, or x and y (z is not looked at)");
   }
@@ -67,7 +67,7 @@ void putHardness(const std::optional<double>& ratio, const std::optional<double>
   lump.young_kpa = *young_kpa;
 }
 
-LumpSettings lumpOf(const PlaceLike& at, double depth_mm, const std::optional<double>& diameter_mm,
+LumpSettings makeLump(const PlaceLike& at, double depth_mm, const std::optional<double>& diameter_mm,
                     const MaybeTriple& half_axes_mm, const std::optional<double>& ratio,
                     const std::optional<double>& young_kpa, double edge, double mobility_mm_per_n,
                     double mobility_limit_mm, double raise_mm, const std::string& name) {
@@ -77,7 +77,7 @@ LumpSettings lumpOf(const PlaceLike& at, double depth_mm, const std::optional<do
   lump.depth_mm = depth_mm;
   if (diameter_mm && !half_axes_mm.is_none()) throw Error("Lump: takes diameter_mm or half_axes_mm, not both");
   if (diameter_mm) lump.diameter_mm = *diameter_mm;
-  if (!half_axes_mm.is_none()) lump.half_axes_mm = pointOf(half_axes_mm, "half_axes_mm");
+  if (!half_axes_mm.is_none()) lump.half_axes_mm = asPoint(half_axes_mm, "half_axes_mm");
   putHardness(ratio, young_kpa, lump);
   lump.edge = edge;
   lump.mobility_mm_per_n = mobility_mm_per_n;
@@ -129,7 +129,7 @@ void bindLump(py::module_& module) {
       "Raises palpate.Error for a number that is out of range. Whether there is room for it is known when a world is "
       "built.");
   lump.def(
-      py::init(&lumpOf), "All by name. Raises palpate.Error, ValueError for shapes.", py::kw_only(), py::arg("at"),
+      py::init(&makeLump), "All by name. Raises palpate.Error, ValueError for shapes.", py::kw_only(), py::arg("at"),
       py::arg("depth_mm") = usual.depth_mm, py::arg("diameter_mm") = py::none(), py::arg("half_axes_mm") = py::none(),
       py::arg("stiffness_ratio") = py::none(), py::arg("young_kpa") = py::none(), py::arg("edge") = usual.edge,
       py::arg("mobility_mm_per_n") = usual.mobility_mm_per_n, py::arg("mobility_limit_mm") = usual.mobility_limit_mm,

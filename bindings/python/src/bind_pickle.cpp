@@ -50,7 +50,7 @@ py::object packed(const std::shared_ptr<const SourceMaps>& maps) {
 }
 
 template <class Element>
-std::vector<Element> elementsOf(const py::handle& bytes) {
+std::vector<Element> unpackElements(const py::handle& bytes) {
   const auto text = bytes.cast<std::string>();
   if (text.size() % sizeof(Element) != 0) throw Error("World: not what a World was pickled as");
   std::vector<Element> elements(text.size() / sizeof(Element));
@@ -60,9 +60,9 @@ std::vector<Element> elementsOf(const py::handle& bytes) {
 
 GivenMesh unpacked(const py::tuple& state) {
   GivenMesh given;
-  given.mesh.positions = elementsOf<Vec3>(state[0]);
-  given.mesh.triangles = elementsOf<Triangle>(state[1]);
-  given.stiffness = elementsOf<double>(state[2]);
+  given.mesh.positions = unpackElements<Vec3>(state[0]);
+  given.mesh.triangles = unpackElements<Triangle>(state[1]);
+  given.stiffness = unpackElements<double>(state[2]);
   given.repair = state[3].cast<bool>();
   given.scene = scene::parse(state[4].cast<std::string>(), "World");
   given.file_notes = state[5].cast<std::vector<std::string>>();
@@ -114,7 +114,7 @@ WorldPointer worldOfPickle(const std::string& toml, const py::object& mesh, cons
 }
 
 /// By the names of the constructor: the result is checked again.
-py::tuple madeOf(const py::object& type, const py::dict& named) {
+py::tuple makeReduceTuple(const py::object& type, const py::dict& named) {
   const py::object partial = py::module_::import("functools").attr("partial");
   return py::make_tuple(partial(type, **named), py::tuple());
 }
@@ -141,13 +141,13 @@ void bindPickle(py::module_& module) {
   auto settings = py::reinterpret_borrow<py::class_<contact::FingerSettings>>(module.attr("FingerSettings"));
   settings.def(
       "__reduce__",
-      [](const py::object& self) { return madeOf(py::type::of(self), numbersOf(self.cast<const contact::FingerSettings&>())); },
+      [](const py::object& self) { return makeReduceTuple(py::type::of(self), numbersOf(self.cast<const contact::FingerSettings&>())); },
       "As the constructor would be called.");
   bindCopies(settings);
   auto lump = py::reinterpret_borrow<py::class_<scene::LumpSettings>>(module.attr("Lump"));
   lump.def(
       "__reduce__",
-      [](const py::object& self) { return madeOf(py::type::of(self), numbersOf(self.cast<const scene::LumpSettings&>())); },
+      [](const py::object& self) { return makeReduceTuple(py::type::of(self), numbersOf(self.cast<const scene::LumpSettings&>())); },
       "As the constructor would be called.");
   bindCopies(lump);
 }

@@ -36,7 +36,7 @@ struct FeltTable {
 };
 
 /// One array of a dict, of the leading shape and, unless 1, an axis of `axes` more.
-FeltColumn feltColumnOf(const py::dict& felt, const char* name, py::ssize_t axes,
+FeltColumn readFeltColumn(const py::dict& felt, const char* name, py::ssize_t axes,
                         const std::vector<py::ssize_t>& leading) {
   if (!felt.contains(name)) {
     throw py::value_error(
@@ -44,7 +44,7 @@ FeltColumn feltColumnOf(const py::dict& felt, const char* name, py::ssize_t axes
                     "\"tissue\", \"radius\", \"lump_force\", \"lump\", \"lump_moved\")",
                     name));
   }
-  FeltColumn column = floatsOf(felt[name], name, axes == 1 ? 0 : axes);
+  FeltColumn column = asFloats(felt[name], name, axes == 1 ? 0 : axes);
   std::vector<py::ssize_t> shape(column.shape(), column.shape() + column.ndim());
   if (axes != 1) shape.pop_back();
   if (shape != leading) throw py::value_error(fmt::format("felt: '{}' is of another shape than 'depth'", name));
@@ -52,18 +52,18 @@ FeltColumn feltColumnOf(const py::dict& felt, const char* name, py::ssize_t axes
 }
 
 /// Accepts any whole number that a caller may have put into an array of doubles.
-Index lumpIndexOf(double number) {
+Index toLumpIndex(double number) {
   return number >= 0.0 && number < static_cast<double>(kNoIndex) ? static_cast<Index>(number) : kNoIndex;
 }
 
 Vec3 vectorAt(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-FeltTable feltTableOf(const py::dict& felt, bool lumps) {
+FeltTable readFeltTable(const py::dict& felt, bool lumps) {
   FeltTable table;
   if (!felt.contains("depth")) throw py::value_error("felt: a dict of arrays as World.rollout answers it");
-  const FeltColumn depth = floatsOf(felt["depth"], "depth");
+  const FeltColumn depth = asFloats(felt["depth"], "depth");
   table.leading.assign(depth.shape(), depth.shape() + depth.ndim());
-  const auto column = [&](const char* name, py::ssize_t axes) { return feltColumnOf(felt, name, axes, table.leading); };
+  const auto column = [&](const char* name, py::ssize_t axes) { return readFeltColumn(felt, name, axes, table.leading); };
   const FeltColumn force = column("force", 3), normal = column("normal", 3), state = column("state", 1),
                    tissue = column("tissue", 1), radius = column("radius", 1);
   table.rows.resize(static_cast<std::size_t>(depth.size()));
@@ -83,21 +83,21 @@ FeltTable feltTableOf(const py::dict& felt, bool lumps) {
     contact::FingerOutput& row = table.rows[i];
     row.tip = vectorAt(tip.data() + 3 * i);
     row.lump_force = vectorAt(lump_force.data() + 3 * i);
-    row.lump = lumpIndexOf(lump.data()[i]);
+    row.lump = toLumpIndex(lump.data()[i]);
     row.lump_moved_mm = {moved.data()[2 * i], moved.data()[2 * i + 1]};
   }
   return table;
 }
 
-FeltTable feltTableOf(const FeltLike& felt, const scene::World& world) {
-  if (py::isinstance<py::dict>(felt)) return feltTableOf(felt.cast<py::dict>(), world.surface.lumps != nullptr);
-  FeltTable table{touchesOf(felt), {}};
+FeltTable readFeltTable(const FeltLike& felt, const scene::World& world) {
+  if (py::isinstance<py::dict>(felt)) return readFeltTable(felt.cast<py::dict>(), world.surface.lumps != nullptr);
+  FeltTable table{asTouches(felt), {}};
   if (!py::isinstance<contact::FingerOutput>(felt)) table.leading = {static_cast<py::ssize_t>(table.rows.size())};
   return table;
 }
 
 /// The tick of each row, where it counts.
-std::vector<std::uint64_t> feltTicksOf(const MaybeTicks& given, const FeltTable& table, const scene::World& world) {
+std::vector<std::uint64_t> readFeltTicks(const MaybeTicks& given, const FeltTable& table, const scene::World& world) {
   std::vector<std::uint64_t> ticks(table.rows.size(), 0);
   if (!world.breath) return ticks;
   if (given.is_none()) {
@@ -107,7 +107,7 @@ std::vector<std::uint64_t> feltTicksOf(const MaybeTicks& given, const FeltTable&
     return ticks;
   }
   const py::object to = py::module_::import("numpy").attr("broadcast_to")(given, py::cast(table.leading));
-  const FeltColumn numbers = floatsOf(to, "tick");
+  const FeltColumn numbers = asFloats(to, "tick");
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     if (!(numbers.data()[i] >= 0.0 && numbers.data()[i] < 9e15)) throw py::value_error("tick: must be 0 or more");
     ticks[i] = static_cast<std::uint64_t>(numbers.data()[i]);
@@ -131,8 +131,8 @@ FloatArray pressure(const WorldHandle& self, const FeltLike& given, std::size_t 
                     const MaybeTicks& given_ticks) {
   const contact::PressurePad pad{n, pad_mm};
   engine::checkPad(pad);
-  const FeltTable table = feltTableOf(given, *self.world);
-  const std::vector<std::uint64_t> ticks = feltTicksOf(given_ticks, table, *self.world);
+  const FeltTable table = readFeltTable(given, *self.world);
+  const std::vector<std::uint64_t> ticks = readFeltTicks(given_ticks, table, *self.world);
   const engine::FeltPressure& made = pressureHeldBy(self);
   std::vector<py::ssize_t> shape = table.leading;
   shape.insert(shape.end(), {static_cast<py::ssize_t>(n), static_cast<py::ssize_t>(n)});

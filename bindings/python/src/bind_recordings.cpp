@@ -116,7 +116,7 @@ std::vector<Field> fieldsNamed(const std::optional<std::vector<std::string>>& na
   return fields;
 }
 
-std::uint32_t fingerOf(RecordingFile& session, const py::object& finger) {
+std::uint32_t findFinger(RecordingFile& session, const py::object& finger) {
   const auto& fingers = session.facts().fingers;
   if (py::isinstance<py::str>(finger)) {
     const auto wanted = finger.cast<std::string>();
@@ -136,7 +136,7 @@ std::uint32_t fingerOf(RecordingFile& session, const py::object& finger) {
 
 using SpanLike = std::optional<std::pair<std::uint64_t, std::uint64_t>>;
 
-TickSpan spanOf(const SpanLike& given) {
+TickSpan asTickSpan(const SpanLike& given) {
   if (!given) return {};
   if (given->first > given->second) throw py::value_error("span: the first tick comes before the last");
   return {given->first, given->second};
@@ -154,7 +154,7 @@ struct Wanted {
 std::vector<std::vector<std::uint64_t>> bitsOf(RecordingFile& session, const Wanted& wanted) {
   std::vector<std::vector<std::uint64_t>> bits(wanted.fields.size());
   trace::RecordingReader& reader = session.reader();
-  const auto take = [&](std::span<const trace::Sample> samples) {
+  const auto append = [&](std::span<const trace::Sample> samples) {
     for (const trace::Sample& sample : samples) {
       if (sample.finger != wanted.finger) continue;
       for (std::size_t i = 0; i < bits.size(); ++i) {
@@ -165,7 +165,7 @@ std::vector<std::vector<std::uint64_t>> bitsOf(RecordingFile& session, const Wan
   unlocked([&](Interrupts& interrupts) {
     reader.forEachTick(wanted.span, [&](std::span<const trace::Sample> samples) {
       interrupts.check();
-      take(samples);
+      append(samples);
       return true;
     });
   });
@@ -222,10 +222,10 @@ struct Blocks {
   }
 };
 
-Blocks blocksOf(const std::shared_ptr<RecordingFile>& session, std::int64_t ticks,
+Blocks makeBlocks(const std::shared_ptr<RecordingFile>& session, std::int64_t ticks,
                 const std::optional<std::vector<std::string>>& fields, const py::object& finger, const SpanLike& span) {
   if (ticks < 1) throw py::value_error("ticks: at least 1");
-  Wanted wanted{fieldsNamed(fields), fingerOf(*session, finger), spanOf(span)};
+  Wanted wanted{fieldsNamed(fields), findFinger(*session, finger), asTickSpan(span)};
   const trace::RecordingFacts& facts = session->facts();
   wanted.span.from = std::max(wanted.span.from, facts.first_tick);
   wanted.span.to = std::min(wanted.span.to, facts.last_tick);
@@ -241,7 +241,7 @@ py::str textOf(const std::string& words) {
       PyUnicode_DecodeUTF8(words.data(), static_cast<py::ssize_t>(words.size()), "replace"));
 }
 
-Facts headerOf(RecordingFile& session) {
+Facts headerFacts(RecordingFile& session) {
   const trace::RecordingFacts& facts = session.facts();
   const trace::RecordingHeader& header = facts.header;
   Facts all;
@@ -275,7 +275,7 @@ FactsList fingersOf(RecordingFile& session) {
   return all;
 }
 
-FactsList worldsOf(RecordingFile& session) {
+FactsList worldFacts(RecordingFile& session) {
   const Busy::Guard guard(session.busy, kInUse);
   const trace::RecordingFacts& facts = session.facts();
   FactsList all;
@@ -293,10 +293,10 @@ FactsList worldsOf(RecordingFile& session) {
   return all;
 }
 
-FactsList eventsOf(RecordingFile& session, const SpanLike& span) {
+FactsList eventFacts(RecordingFile& session, const SpanLike& span) {
   const Busy::Guard guard(session.busy, kInUse);
   FactsList all;
-  for (const trace::RecordingEvent& event : session.reader().events(spanOf(span))) {
+  for (const trace::RecordingEvent& event : session.reader().events(asTickSpan(span))) {
     Facts one;
     one["tick"] = event.tick;
     one["finger"] = event.finger ? py::object(py::int_(*event.finger)) : py::object(py::none());
@@ -307,7 +307,7 @@ FactsList eventsOf(RecordingFile& session, const SpanLike& span) {
   return all;
 }
 
-FactsList columnsOf(RecordingFile& /*session*/) {
+FactsList columnFacts(RecordingFile& /*session*/) {
   FactsList all;
   for (const SampleColumn& column : trace::sampleColumns()) {
     Facts one;
@@ -320,7 +320,7 @@ FactsList columnsOf(RecordingFile& /*session*/) {
   return all;
 }
 
-WorldPointer worldOf(RecordingFile& session, std::uint64_t number, const std::filesystem::path& folder) {
+WorldPointer buildRecordedWorld(RecordingFile& session, std::uint64_t number, const std::filesystem::path& folder) {
   const Busy::Guard guard(session.busy, kInUse);
   const trace::RecordingWorld recorded = session.reader().world(number);
   return unlocked([&](Interrupts& interrupts) {
@@ -331,7 +331,7 @@ WorldPointer worldOf(RecordingFile& session, std::uint64_t number, const std::fi
 engine::ReplayReport replayed(RecordingFile& session, const SpanLike& span, const std::filesystem::path& folder) {
   const Busy::Guard guard(session.busy, kInUse);
   trace::RecordingReader& reader = session.reader();
-  const engine::ReplaySettings settings{spanOf(span), folder};
+  const engine::ReplaySettings settings{asTickSpan(span), folder};
   return unlocked([&](Interrupts& interrupts) {
     const auto looks = [&](std::span<const trace::Sample>) { interrupts.check(); };
     return engine::replay(reader, settings, looks, interrupts.progress());
@@ -350,7 +350,7 @@ trace::RecordingRepair repaired(const std::filesystem::path& file, const std::fi
   return unlocked([&](Interrupts& interrupts) { return trace::repairRecording(file, target, interrupts.progress()); });
 }
 
-FactsList missingOf(const trace::RecordingRepair& repair, const std::vector<trace::MissingTicks>& missing) {
+FactsList missingTickFacts(const trace::RecordingRepair& repair, const std::vector<trace::MissingTicks>& missing) {
   FactsList all;
   for (const trace::MissingTicks& ticks : missing) {
     Facts one;
@@ -363,7 +363,7 @@ FactsList missingOf(const trace::RecordingRepair& repair, const std::vector<trac
   return all;
 }
 
-py::list textsOf(const std::vector<std::string>& lines) {
+py::list toTextList(const std::vector<std::string>& lines) {
   py::list all;
   for (const std::string& line : lines) all.append(textOf(line));
   return all;
@@ -383,16 +383,16 @@ void bindRepair(py::module_& module) {
       .def_readonly("bytes_missing", &RecordingRepair::bytes_missing, "At the file's end.")
       .def_readonly("header_lost", &RecordingRepair::header_lost, "When it began, its rate, notes.")
       .def_property_readonly(
-          "lost", [](const RecordingRepair& r) { return missingOf(r, r.lost); },
+          "lost", [](const RecordingRepair& r) { return missingTickFacts(r, r.lost); },
           "A dict each: finger, first_tick, last_tick (both included), samples.")
       .def_property_readonly(
-          "gaps", [](const RecordingRepair& r) { return missingOf(r, r.gaps); },
+          "gaps", [](const RecordingRepair& r) { return missingTickFacts(r, r.gaps); },
           "Ticks that were never recorded, as `lost`.")
       .def_property_readonly(
-          "other_lost", [](const RecordingRepair& r) { return textsOf(r.other); },
+          "other_lost", [](const RecordingRepair& r) { return toTextList(r.other); },
           "Worlds, names, attachments: a line each.")
       .def_property_readonly(
-          "notes", [](const RecordingRepair& r) { return textsOf(r.notes); }, "What else was seen.")
+          "notes", [](const RecordingRepair& r) { return toTextList(r.notes); }, "What else was seen.")
       .def("__repr__", [](const RecordingRepair& r) {
         return fmt::format("SessionRepair({} samples, {})", r.samples,
                            r.nothingLost() ? "nothing lost" : "with losses");
@@ -447,30 +447,30 @@ void bindSessions(py::module_& module) {
       "RuntimeError. Closes with `with`.")
       .def(py::init<const std::filesystem::path&>(), py::arg("file"),
            "Raises Error for what is not a session, is damaged, or of a later version.")
-      .def_property_readonly("header", headerOf,
+      .def_property_readonly("header", headerFacts,
                              "dict: started_utc, ended_utc, ended_by, software, machine, ticks_per_s, notes, tags,\n"
                              "version, samples, dropped, first_tick, last_tick, seconds.")
       .def_property_readonly("fingers", fingersOf, "A dict each: name, device, capabilities, placed.")
-      .def_property_readonly("worlds", worldsOf,
+      .def_property_readonly("worlds", worldFacts,
                              "A dict each: number, scene (its text), folder, body, triangles, hash.")
-      .def_property_readonly("columns", columnsOf, "What `samples` knows, a dict each: name, type, unit, meaning.")
-      .def("events", eventsOf, py::arg("span") = py::none(),
+      .def_property_readonly("columns", columnFacts, "What `samples` knows, a dict each: name, type, unit, meaning.")
+      .def("events", eventFacts, py::arg("span") = py::none(),
            "A dict each: tick, finger (None: of all), kind, text. span: first and last tick, both included.")
       .def(
           "samples",
           [](RecordingFile& session, const std::optional<std::vector<std::string>>& fields, const py::object& finger,
              const SpanLike& span) {
-            return tableOf(session, {fieldsNamed(fields), fingerOf(session, finger), spanOf(span)});
+            return tableOf(session, {fieldsNamed(fields), findFinger(session, finger), asTickSpan(span)});
           },
           py::arg("fields") = py::none(), py::arg("finger") = 0, py::arg("span") = py::none(),
           "Ticks of one finger (its number or name) as a dict of fresh arrays (N,) by column, or (N, 3) for tip,\n"
           "proxy, anchor, hold, normal, force, device_force, dent, lump_force. fields: None means every column. span: first and\n"
           "last tick, both included. Releases the GIL. Raises Error for a field, a finger, a damaged block.")
-      .def("blocks", blocksOf, py::arg("ticks") = 10000, py::arg("fields") = py::none(), py::arg("finger") = 0,
+      .def("blocks", makeBlocks, py::arg("ticks") = 10000, py::arg("fields") = py::none(), py::arg("finger") = 0,
            py::arg("span") = py::none(),
            "Iterates over what `samples` gives, so many ticks at a time: memory for one block, however long the\n"
            "session. Spans without a sample are passed over.")
-      .def("world", worldOf, py::arg("number") = 0, py::arg("folder") = "",
+      .def("world", buildRecordedWorld, py::arg("number") = 0, py::arg("folder") = "",
            "Builds a recorded world. folder: where the files that its scene names lie now. Raises Error.")
       .def("replay", replayed, py::arg("span") = py::none(), py::arg("folder") = "",
            "Feels the session again and compares every bit of the span. Releases the GIL. Raises Error for a scene\n"

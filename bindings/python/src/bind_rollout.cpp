@@ -25,7 +25,7 @@ void rollOne(engine::Finger& finger, const double* tips, std::size_t ticks, cons
 
 FeltDict rollout(const WorldPointer& world, const ArrayLike& given, const MaybeSettings& settings,
                  const MaybeFields& fields, std::size_t threads, const MaybeOut& out) {
-  const auto tips = floatsOf(given, "tips", 3);
+  const auto tips = asFloats(given, "tips", 3);
   if (tips.ndim() != 3) {
     throw py::value_error("tips: must be (fingers, ticks, 3); the path of one finger (ticks, 3) is tips[None]");
   }
@@ -35,7 +35,7 @@ FeltDict rollout(const WorldPointer& world, const ArrayLike& given, const MaybeS
   std::vector<engine::Finger> fingers = engine::fingersOn(*world->world, settingsOf(*world->world, settings, count));
   const FeltArrays felt(*world->world, {tips.shape(0), tips.shape(1)}, fields, out);
   const double* from = tips.data();
-  const std::size_t worth = std::max<std::size_t>(1, count * ticks / kTicksWorthAThread);
+  const std::size_t worth = std::max<std::size_t>(1, count * ticks / kMinTicksPerThread);
   unlocked([&](Interrupts& interrupts) {
     ThreadPool pool(std::min({threads, worth, std::max<std::size_t>(1, count)}));
     pool.share(
@@ -50,7 +50,7 @@ FeltDict rollout(const WorldPointer& world, const ArrayLike& given, const MaybeS
 
 /// The loop that a C++ program would write around contact::step, for tools/bench-python: it stores the same numbers.
 double nativeSeconds(const WorldPointer& world, const ArrayLike& given) {
-  const auto tips = floatsOf(given, "tips", 3);
+  const auto tips = asFloats(given, "tips", 3);
   const auto settings = settingsOf(*world->world, py::none(), 1).front();
   const auto ticks = static_cast<std::size_t>(tips.size() / 3);
   const double* from = tips.data();

@@ -16,7 +16,7 @@ using Stream = std::span<const float>;
 Float32Array pointsOver(const Stream& x, const Stream& y, const Stream& z, const py::object& self) {
   const py::ssize_t axis = (y.data() - x.data()) * static_cast<py::ssize_t>(sizeof(float));
   if (z.data() - y.data() != y.data() - x.data()) throw std::logic_error("the streams of a skin lie elsewhere");
-  return viewOf(x.data(), {static_cast<py::ssize_t>(x.size()), 3}, {sizeof(float), axis}, self);
+  return arrayView(x.data(), {static_cast<py::ssize_t>(x.size()), 3}, {sizeof(float), axis}, self);
 }
 
 const deform::DeformedSurface& surfaceOf(const py::object& self) {
@@ -31,7 +31,7 @@ py::array_t<double> placesOf(const deform::DeformedSurface& surface) {
   return places;
 }
 
-FloatingArray positionsOf(const py::object& self) {
+FloatingArray positionArray(const py::object& self) {
   const deform::DeformedSurface& surface = surfaceOf(self);
   if (!surface.origin().isZero(0.0)) return py::object(placesOf(surface));
   return py::object(pointsOver(surface.position(0), surface.position(1), surface.position(2), self));
@@ -70,7 +70,7 @@ py::dict copied(SkinHandle& self) {
 }
 
 void apply(SkinHandle& self, const Touches& given, std::uint64_t tick) {
-  const std::vector<contact::FingerOutput> touches = touchesOf(given);
+  const std::vector<contact::FingerOutput> touches = asTouches(given);
   if (touches.size() > self.fingers()) {
     throw py::value_error(fmt::format("touches: {} are more than the {} that this Skin was made for (fingers=)",
                                       touches.size(), self.fingers()));
@@ -79,7 +79,7 @@ void apply(SkinHandle& self, const Touches& given, std::uint64_t tick) {
   self.report = self.skin().follow(touches, tick);
 }
 
-IndexArray changedOf(const SkinHandle& self) {
+IndexArray changedRanges(const SkinHandle& self) {
   const auto changed = self.skin().surface().changed();
   py::array_t<std::int64_t> ranges({static_cast<py::ssize_t>(changed.size()), py::ssize_t{2}});
   for (std::size_t i = 0; i < changed.size(); ++i) {
@@ -117,7 +117,7 @@ void bindSkin(py::module_& module) {
       "strain (V,), float32; positions float64 of a body farther than 10 m from the origin. Raises RuntimeError while another thread reads the skin (view.render).");
   skin.def_property_readonly(
       "positions",
-      &positionsOf,
+      &positionArray,
       "(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory). Of a body farther than 10 m "
       "from the origin, as in map coordinates, a fresh float64 array.");
   skin.def_property_readonly(
@@ -138,10 +138,10 @@ void bindSkin(py::module_& module) {
       "strain",
       [](const py::object& self) {
         const Stream strain = surfaceOf(self).strain();
-        return Float32Array(viewOf(strain.data(), {static_cast<py::ssize_t>(strain.size())}, self));
+        return Float32Array(arrayView(strain.data(), {static_cast<py::ssize_t>(strain.size())}, self));
       },
       "(V,) float32, 0.1 is 10 % longer, below 0 shorter; zeros without strain. A live view.");
-  skin.def_property_readonly("changed", &changedOf,
+  skin.def_property_readonly("changed", &changedRanges,
                              "(R, 2) int64: ranges of vertices, first and end, that the last `apply` wrote; fresh.");
   skin.def_property_readonly(
       "moved_vertices", [](const SkinHandle& self) { return self.report.moved_vertices; },

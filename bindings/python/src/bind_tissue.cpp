@@ -28,7 +28,7 @@ using Floats = py::array_t<double>;
 /// A number or an array for each argument, and an array of their common shape back; () for numbers alone.
 template <class Function, class... Given>
 FloatArray overAll(const Function& function, const Given&... given) {
-  py::object result = py::vectorize(function)(Floats(floatsOf(given.second, given.first))...);
+  py::object result = py::vectorize(function)(Floats(asFloats(given.second, given.first))...);
   return FloatArray(Floats::ensure(result));
 }
 std::pair<const char*, py::handle> named(const char* name, const ArrayLike& value) { return {name, value}; }
@@ -54,8 +54,8 @@ ForceLaw stiffeningLaw(double ratio, double depth_mm, double reference_depth_mm)
 }
 
 ForceLaw tableLaw(const ArrayLike& depth_mm, const ArrayLike& force_n, double reference_depth_mm) {
-  const auto depths = floatsOf(depth_mm, "depth_mm");
-  const auto forces = floatsOf(force_n, "force_n");
+  const auto depths = asFloats(depth_mm, "depth_mm");
+  const auto forces = asFloats(force_n, "force_n");
   if (depths.ndim() != 1 || forces.ndim() != 1 || depths.size() != forces.size()) {
     throw py::value_error("depth_mm, force_n: two arrays (R,) of one length are wanted");
   }
@@ -143,7 +143,7 @@ struct Layers {
 };
 
 FloatArray pressedSkin(const Layers& layers, double thickness_mm, double depth_mm, const ArrayLike& r_mm) {
-  const auto radii = floatsOf(r_mm, "r_mm");
+  const auto radii = asFloats(r_mm, "r_mm");
   if (radii.ndim() != 1) throw py::value_error("r_mm: an array (N,) is wanted");
   const tissue::PressCurves press = layers.tissue.pressAt(thickness_mm, depth_mm);
   py::array_t<double> moved({radii.shape(0), py::ssize_t{2}});

@@ -50,7 +50,7 @@ WorldPointer builtIn(scene::BodyKind kind, std::size_t triangles) {
 GivenMesh stiffnessIn(const ArrayLike& given, const std::string& toml, const std::string& name) {
   GivenMesh result;
   result.scene = scene::parse(toml, name);
-  const auto numbers = floatsOf(given, "stiffness");
+  const auto numbers = asFloats(given, "stiffness");
   if (numbers.ndim() > 1) throw py::value_error("stiffness: one number, or one a vertex (V,)");
   if (numbers.ndim() == 1) {
     result.stiffness.assign(numbers.data(), numbers.data() + numbers.size());
@@ -76,7 +76,7 @@ void requireSound(const mesh::TriangleMesh& mesh, const Progress& progress) {
 
 /// (N, 3) of whole numbers as int64: unsigned ones would make 4,294,967,295 of -1, and mending would drop the triangle
 /// in silence.
-py::array_t<std::int64_t, py::array::c_style> facesOf(const ArrayLike& given) {
+py::array_t<std::int64_t, py::array::c_style> asFaces(const ArrayLike& given) {
   const py::array any = py::array::ensure(given);
   if (!any || (any.dtype().kind() != 'i' && any.dtype().kind() != 'u')) {
     PyErr_Clear();
@@ -90,9 +90,9 @@ py::array_t<std::int64_t, py::array::c_style> facesOf(const ArrayLike& given) {
 
 WorldPointer fromArrays(const ArrayLike& vertices, const ArrayLike& faces, const ArrayLike& stiffness, bool repair,
                         const std::string& scene) {
-  const auto places = floatsOf(vertices, "vertices", 3);
+  const auto places = asFloats(vertices, "vertices", 3);
   if (places.ndim() != 2) throw py::value_error("vertices: must be (V, 3)");
-  const auto corners = facesOf(faces);
+  const auto corners = asFaces(faces);
   GivenMesh given = stiffnessIn(stiffness, scene, "scene");
   given.repair = repair;
   given.mesh =
@@ -176,47 +176,47 @@ void bindMakers(py::class_<WorldHandle, WorldPointer>& world) {
 
 // ---- its skin
 
-const scene::World& worldOf(const py::object& self) { return *self.cast<const WorldHandle&>().world; }
+const scene::World& worldFrom(const py::object& self) { return *self.cast<const WorldHandle&>().world; }
 
-Int32Array mapOf(const py::object& self, std::vector<Index> SourceMaps::*map) {
+Int32Array indexMapView(const py::object& self, std::vector<Index> SourceMaps::*map) {
   const auto& maps = self.cast<const WorldHandle&>().maps;
   if (!maps) throw Error("this world was made of no mesh: only from_arrays and from_file know who became whom");
-  return viewOf((*maps).*map, self);
+  return arrayView((*maps).*map, self);
 }
 
-void bindSkinOf(py::class_<WorldHandle, WorldPointer>& world) {
+void bindWorldSkin(py::class_<WorldHandle, WorldPointer>& world) {
   world.def_property_readonly(
-      "positions", [](const py::object& self) { return FloatArray(viewOf(worldOf(self).body->skin.positions, self)); },
+      "positions", [](const py::object& self) { return FloatArray(arrayView(worldFrom(self).body->skin.positions, self)); },
       "(V, 3) vertices of the skin at rest, mm; a read-only view, as all arrays of a World are.");
   world.def_property_readonly(
-      "normals", [](const py::object& self) { return FloatArray(viewOf(worldOf(self).surface.geometry->vertex_normals, self)); },
+      "normals", [](const py::object& self) { return FloatArray(arrayView(worldFrom(self).surface.geometry->vertex_normals, self)); },
       "(V, 3) unit, out of the body, weighted by angle.");
   world.def_property_readonly(
       "triangles",
       [](const py::object& self) {
-        const auto& triangles = worldOf(self).body->skin.triangles;
+        const auto& triangles = worldFrom(self).body->skin.triangles;
         const auto* corners = reinterpret_cast<const std::int32_t*>(triangles.data());
-        return Int32Array(viewOf(corners, {static_cast<py::ssize_t>(triangles.size()), 3}, self));
+        return Int32Array(arrayView(corners, {static_cast<py::ssize_t>(triangles.size()), 3}, self));
       },
       "(F, 3) int32: three vertices each, counter-clockwise seen from outside.");
   world.def_property_readonly(
       "stiffness",
       [](const py::object& self) {
-        const auto& stiffness = *worldOf(self).surface.stiffness_n_per_mm;
-        return FloatArray(viewOf(stiffness.data(), {static_cast<py::ssize_t>(stiffness.size())}, self));
+        const auto& stiffness = *worldFrom(self).surface.stiffness_n_per_mm;
+        return FloatArray(arrayView(stiffness.data(), {static_cast<py::ssize_t>(stiffness.size())}, self));
       },
       "(V,) N/mm.");
   world.def_property_readonly(
-      "source_vertex", [](const py::object& self) { return mapOf(self, &SourceMaps::source_vertex); },
+      "source_vertex", [](const py::object& self) { return indexMapView(self, &SourceMaps::source_vertex); },
       "(V,) int32: which given vertex each one is. Raises palpate.Error for a world that no mesh was given for.");
   world.def_property_readonly(
-      "source_triangle", [](const py::object& self) { return mapOf(self, &SourceMaps::source_triangle); },
+      "source_triangle", [](const py::object& self) { return indexMapView(self, &SourceMaps::source_triangle); },
       "(F,) int32: which given triangle each one is; -1 for one that mending made. Raises palpate.Error likewise.");
   world.def_property_readonly(
-      "built_vertex", [](const py::object& self) { return mapOf(self, &SourceMaps::built_vertex); },
+      "built_vertex", [](const py::object& self) { return indexMapView(self, &SourceMaps::built_vertex); },
       "The other way round, a given vertex each; -1 for one that the world has not. Raises palpate.Error likewise.");
   world.def_property_readonly(
-      "built_triangle", [](const py::object& self) { return mapOf(self, &SourceMaps::built_triangle); },
+      "built_triangle", [](const py::object& self) { return indexMapView(self, &SourceMaps::built_triangle); },
       "A given triangle each: which of the world's it is, or -1. Raises palpate.Error likewise.");
 }
 
@@ -225,8 +225,8 @@ void bindSkinOf(py::class_<WorldHandle, WorldPointer>& world) {
 template <Vec3 body::SkinLandmark::*Member>
 Landmarks landmarksOf(const py::object& self) {
   py::dict all;
-  for (const body::SkinLandmark& landmark : worldOf(self).body->anatomy.landmarks) {
-    all[landmark.name.c_str()] = viewOf((landmark.*Member).data(), {3}, self);
+  for (const body::SkinLandmark& landmark : worldFrom(self).body->anatomy.landmarks) {
+    all[landmark.name.c_str()] = arrayView((landmark.*Member).data(), {3}, self);
   }
   return {std::move(all)};
 }
@@ -245,7 +245,7 @@ double stiffnessAt(const WorldHandle& self, const PlaceLike& where) {
 }
 
 /// Points of the map plane: from names, or unchanged.
-std::vector<Vec2> planeOf(const scene::World& world, const ManyPlaces& given) {
+std::vector<Vec2> asMapPoints(const scene::World& world, const ManyPlaces& given) {
   std::vector<Vec2> points;
   const auto addNamed = [&](py::handle words) { points.push_back(placeOn(world, words).point.head<2>()); };
   if (py::isinstance<py::str>(given)) {
@@ -257,14 +257,14 @@ std::vector<Vec2> planeOf(const scene::World& world, const ManyPlaces& given) {
     for (const py::handle words : given) addNamed(words);
     return points;
   }
-  const auto xy = floatsOf(given, "xy", 2);
+  const auto xy = asFloats(given, "xy", 2);
   if (xy.ndim() != 2) throw py::value_error("xy: must be (N, 2), or names");
   for (py::ssize_t i = 0; i < xy.shape(0); ++i) points.emplace_back(xy.at(i, 0), xy.at(i, 1));
   return points;
 }
 
 FloatArray ellipses(const WorldHandle& self, const ManyPlaces& given) {
-  const std::vector<Vec2> points = planeOf(*self.world, given);
+  const std::vector<Vec2> points = asMapPoints(*self.world, given);
   py::array_t<double> result({static_cast<py::ssize_t>(points.size()), py::ssize_t{3}});
   double* to = result.mutable_data();
   for (const Vec2& point : points) {
@@ -278,7 +278,7 @@ FloatArray ellipses(const WorldHandle& self, const ManyPlaces& given) {
 
 FloatArray tipsAt(const WorldHandle& self, const PlaceLike& where, const ArrayLike& depths) {
   const SkinPlace place = placeOn(*self.world, where);
-  const auto depth = floatsOf(depths, "depth_mm");
+  const auto depth = asFloats(depths, "depth_mm");
   if (depth.ndim() != 1) throw py::value_error("depth_mm: must be (T,)");
   py::array_t<double> tips({depth.shape(0), py::ssize_t{3}});
   for (py::ssize_t i = 0; i < depth.shape(0); ++i) {
@@ -319,7 +319,7 @@ void bindPlaces(py::class_<WorldHandle, WorldPointer>& world) {
   world.def(
       "words",
       [](const WorldHandle& self, const ArrayLike& point) {
-        return body::inWords(self.world->body->anatomy.landmarks, pointOf(point, "point"));
+        return body::describePlace(self.world->body->anatomy.landmarks, asPoint(point, "point"));
       },
       "A point (3,) as an examiner would say it: \"T6, 12 mm right and 8 mm up\"; \"\" where nothing has a name.",
       py::arg("point"));
@@ -375,7 +375,7 @@ void bindWorld(py::module_& module) {
                                               "threads may share it.\n\nmm, N, s; x to the patient's right seen from "
                                               "behind, y to the head, z out of the back.");
   bindMakers(world);
-  bindSkinOf(world);
+  bindWorldSkin(world);
   bindPlaces(world);
   world.def_property_readonly(
       "notes", [](const WorldHandle& self) { return self.world->notes; },

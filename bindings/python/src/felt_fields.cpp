@@ -44,7 +44,7 @@ const std::array kForms = {
     FieldForm{"anchor_triangle", 1, &FeltRows::anchor_triangle},
 };
 
-const FieldForm& formOf(const std::string& name) {
+const FieldForm& findFieldForm(const std::string& name) {
   const auto* found =
       std::find_if(kForms.begin(), kForms.end(), [&](const FieldForm& form) { return form.name == name; });
   if (found != kForms.end()) return *found;
@@ -54,7 +54,7 @@ const FieldForm& formOf(const std::string& name) {
 }
 
 /// The requested names; by default those of `out`, and the usual ones without that.
-std::vector<std::string> namesOf(const scene::World& world, const py::object& fields, const py::object& out) {
+std::vector<std::string> requestedNames(const scene::World& world, const py::object& fields, const py::object& out) {
   std::vector<std::string> names;
   if (!fields.is_none()) {
     if (py::isinstance<py::str>(fields)) throw py::type_error("fields: a sequence of names, such as (\"force\",)");
@@ -92,7 +92,7 @@ py::array_t<Number> wholeArray(const py::object& given, const std::string& name,
 FeltArrays::FeltArrays(const scene::World& world, std::vector<py::ssize_t> leading, const py::object& fields,
                        const py::object& out) {
   if (!out.is_none() && !py::isinstance<py::dict>(out)) throw py::type_error("out: a dict of arrays");
-  for (const std::string& name : namesOf(world, fields, out)) {
+  for (const std::string& name : requestedNames(world, fields, out)) {
     py::object given = py::none();
     if (!out.is_none()) {
       if (!out.contains(name)) throw py::value_error(fmt::format("out: has no array '{}'", name));
@@ -104,7 +104,7 @@ FeltArrays::FeltArrays(const scene::World& world, std::vector<py::ssize_t> leadi
 }
 
 void FeltArrays::add(const std::string& name, const py::object& given, const std::vector<py::ssize_t>& leading) {
-  const FieldForm& form = formOf(name);
+  const FieldForm& form = findFieldForm(name);
   std::vector<py::ssize_t> shape = leading;
   if (form.axes != 1) shape.push_back(form.axes);
   std::visit(

@@ -30,7 +30,7 @@ class Pause {
 using Part = std::function<void(std::size_t part, const Pause& pause)>;
 
 /// Ticks that are worth a thread: waking one takes 60 us, a tick about 130 ns, so 0.3 ms of work.
-inline constexpr std::size_t kTicksWorthAThread = 2500;
+inline constexpr std::size_t kMinTicksPerThread = 2500;
 
 /// One call at a time. After a fork the child has none of the threads: it makes its own.
 class ThreadPool {

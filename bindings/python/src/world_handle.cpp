@@ -10,7 +10,7 @@ namespace palpate::python {
 
 SkinPlace placeOn(const scene::World& world, py::handle place) {
   if (py::isinstance<py::str>(place)) return engine::skinPlace(world, place.cast<std::string>());
-  const Vec3 point = pointOf(place, "place");
+  const Vec3 point = asPoint(place, "place");
   if (!mesh::isUsable(point)) throw py::value_error("place: three finite numbers are wanted");
   const SkinPlace nearest = engine::nearestOnSkin(world, point);
   if (nearest.triangle == kNoIndex) throw py::value_error("place: absurdly far from the body");
@@ -35,7 +35,7 @@ std::vector<contact::FingerSettings> settingsOf(const scene::World& world, py::h
   return all;
 }
 
-std::vector<contact::FingerOutput> touchesOf(py::handle touches) {
+std::vector<contact::FingerOutput> asTouches(py::handle touches) {
   if (py::isinstance<contact::FingerOutput>(touches)) return {touches.cast<const contact::FingerOutput&>()};
   std::vector<contact::FingerOutput> all;
   try {

@@ -70,6 +70,6 @@ SkinPlace placeOn(const scene::World& world, py::handle place);
 std::vector<contact::FingerSettings> settingsOf(const scene::World& world, py::handle settings, std::size_t fingers);
 
 /// The outputs of fingers: a Touch or a sequence of them. Throws TypeError.
-std::vector<contact::FingerOutput> touchesOf(py::handle touches);
+std::vector<contact::FingerOutput> asTouches(py::handle touches);
 
 }  // namespace palpate::python

@@ -51,9 +51,10 @@ TEST(OutputPlace, WhatCannotBeIsToldWithItsReason) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "file") << "a";
   const std::string under = (folder / "file/under").string();
-  EXPECT_EQ(support::messageOf([&] { requireWritableFolder(under); }),
+  EXPECT_EQ(support::thrownMessage([&] { requireWritableFolder(under); }),
             under + ": cannot be made a folder for results: Not a directory");
-  EXPECT_EQ(support::messageOf([&] { requireWritableFile(under); }), under + ": cannot be written: Not a directory");
+  EXPECT_EQ(support::thrownMessage([&] { requireWritableFile(under); }),
+            under + ": cannot be written: Not a directory");
 }
 
 /// Their work takes seconds: nobody hears of it.

@@ -23,7 +23,7 @@ namespace {
 
 using Ticks = std::vector<std::vector<contact::FingerOutput>>;  // tick by tick, a finger each
 
-Ticks ticksOf(const scene::World& world) {
+Ticks simulateTicks(const scene::World& world) {
   const device::FingerPaths paths = device::pathsOf(world);
   servo::Rig rig = servo::scriptedRig(world, paths);
   Ticks ticks;
@@ -40,7 +40,7 @@ const scene::World& vhb() {
 }
 
 const Ticks& vhbTicks() {
-  static const Ticks ticks = ticksOf(vhb());
+  static const Ticks ticks = simulateTicks(vhb());
   return ticks;
 }
 
@@ -173,14 +173,14 @@ TEST(VirtualHapticBack, TheSkinFollowsTwentyMillimetresAtTenMillimetresDepth) { 
 // "This anchor A works well in our applications" (2.4): the formulae as printed drag the skin as far as the corrected.
 TEST(VirtualHapticBack, AsPrintedTheSkinFollowsAsFar) {  // E1
   const std::shared_ptr<const scene::World> printed = scene::build(scene::presetScene("vhb-literal"));
-  EXPECT_NEAR(farthestDrag(*printed, ticksOf(*printed)).skin_mm, farthestDrag(vhb(), vhbTicks()).skin_mm, 1.5);
+  EXPECT_NEAR(farthestDrag(*printed, simulateTicks(*printed)).skin_mm, farthestDrag(vhb(), vhbTicks()).skin_mm, 1.5);
 }
 
 TEST(VirtualHapticBack, FeelsTheSameThroughTheDetectingBoxAsOnTheWholeSkin) {  // chapter 3
   ASSERT_EQ(vhb().scene.contact.source, scene::ContactSource::hdb);
   scene::Scene scene = scene::presetScene("vhb");
   scene.contact.source = scene::ContactSource::surface;
-  const Ticks whole = ticksOf(*scene::rebuilt(vhb(), scene));
+  const Ticks whole = simulateTicks(*scene::rebuilt(vhb(), scene));
   ASSERT_EQ(whole.size(), vhbTicks().size());
   for (std::size_t i = 0; i < whole.size(); ++i) {
     for (std::size_t f = 0; f < whole[i].size(); ++f) {
@@ -218,7 +218,8 @@ TEST(VirtualHapticBack, IsOneWordOfTheCommandAnywhere) {
             "mean 'vhb'? (see --help)\n");
   EXPECT_EQ(support::runPalpate("simulate a.toml --preset vhb", folder.path()).err,
             "palpate: a.toml and --preset vhb: one scene at a time\n");
-  EXPECT_NE(support::messageOf([] { scene::presetScene("back"); }).find("unknown preset 'back'"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([] { scene::presetScene("back"); }).find("unknown preset 'back'"),
+            std::string::npos);
 }
 
 TEST(VirtualHapticBack, IsTheFirstOfTheExamples) {

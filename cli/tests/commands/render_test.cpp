@@ -26,7 +26,7 @@ class Render : public ::testing::Test {
   CommandResult render(const std::string& arguments) const {
     return support::runPalpate("render dome.toml --supersampling 1 --size 160x120 " + arguments, folder_.path());
   }
-  std::string errorOf(const std::string& arguments) const {
+  std::string runForError(const std::string& arguments) const {
     const CommandResult result = render(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_TRUE(!result.err.empty() && result.err.find('\n') == result.err.size() - 1) << "one line: " << result.err;
@@ -175,7 +175,7 @@ TEST_F(RenderFilm, NeedsNothingElseForWebmAndGif) {
   EXPECT_EQ(beginning("film.webm").substr(0, 4), "\x1A\x45\xDF\xA3");
   ASSERT_EQ(film("--frames 3 -o film.gif").exit_code, 0);
   EXPECT_EQ(beginning("film.gif"), "GIF89a");
-  EXPECT_EQ(errorOf("--frames 3 --fps 60 -o fast.gif"),
+  EXPECT_EQ(runForError("--frames 3 --fps 60 -o fast.gif"),
             "palpate: fast.gif: a GIF shows at most 50 pictures a second; .webm shows more\n");
 }
 
@@ -283,28 +283,28 @@ TEST_F(Render, DrawsTheTrunkInTheBuildAndPostureAskedFor) {
       "trunk.toml");
   EXPECT_EQ(trunk("", "b.png"), thin_sitting) << "as scenes/thin.toml has it";
   EXPECT_EQ(trunk("--build average --posture standing", "c.png"), standing);
-  EXPECT_EQ(errorOf("--build thin"), "palpate: --build and --posture need the trunk; this body is of kind mesh\n");
-  EXPECT_EQ(errorOf("--build thinn"),
+  EXPECT_EQ(runForError("--build thin"), "palpate: --build and --posture need the trunk; this body is of kind mesh\n");
+  EXPECT_EQ(runForError("--build thinn"),
             "palpate: --build: 'thinn' is not one of average|thin|heavy; did you mean 'thin'? (see --help)\n");
 }
 
 TEST_F(Render, RefusesWithOneLine) {
   EXPECT_EQ(
-      errorOf("-o picture.jpg"),
+      runForError("-o picture.jpg"),
       "palpate: picture.jpg: must be named *.png: pictures are written as PNG, films as *.webm, *.gif or *.mp4\n");
-  support::expectEach([&](const std::string& options) { return errorOf(options); },
+  support::expectEach([&](const std::string& options) { return runForError(options); },
                       {{"-o film.mp4", "palpate: film.mp4: a film needs --frames above 1\n"},
                        {"--at 7", "palpate: there is no moment 7 s: the run lasts from 0 to 1.000 s\n"},
                        {"--pose 1,2", "palpate: --pose: needs x,y,z, or several of them (see --help)\n"},
                        {"--pose 1,2,x", "palpate: --pose: 'x' is not a number (-100,000 to 100,000 mm) (see --help)\n"},
                        {"--look-at 1,2", "palpate: --look-at: '1,2' must be three numbers x,y,z in mm (see --help)\n"},
                        {"--show wirefame", "palpate: --show: unknown word 'wirefame'; did you mean 'wireframe'?\n"}});
-  EXPECT_NE(errorOf("--stereo 3d").find("--stereo"), std::string::npos);
-  EXPECT_EQ(errorOf("--at nan"), "palpate: --at: 'nan' is not a finite number (0 to 10,800 s) (see --help)\n");
-  EXPECT_EQ(errorOf("--at -5"), "palpate: --at: -5 is out of range: 0 to 10,800 s (see --help)\n");
+  EXPECT_NE(runForError("--stereo 3d").find("--stereo"), std::string::npos);
+  EXPECT_EQ(runForError("--at nan"), "palpate: --at: 'nan' is not a finite number (0 to 10,800 s) (see --help)\n");
+  EXPECT_EQ(runForError("--at -5"), "palpate: --at: -5 is out of range: 0 to 10,800 s (see --help)\n");
   EXPECT_EQ(support::runPalpate("render dome.toml --size 12x0", folder_.path()).err,
             "palpate: --size: 0 is out of range: 1 to 16,384 pixels (see --help)\n");
-  EXPECT_NE(errorOf("-o /dev/null/a.png").find("/dev/null/a.png"), std::string::npos);
+  EXPECT_NE(runForError("-o /dev/null/a.png").find("/dev/null/a.png"), std::string::npos);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ class SafetyLimits : public testing::Test {
   CommandResult simulate(const std::string& arguments) const {
     return run("simulate --no-pictures --no-plot --json " + kRequest + " " + arguments);
   }
-  static json reportOf(const CommandResult& result) {
+  static json parseReport(const CommandResult& result) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return json::parse(result.out);
   }
@@ -33,7 +33,7 @@ class SafetyLimits : public testing::Test {
 
 TEST_F(SafetyLimits, ASceneCannotRequestPastTheCapOrTheWeakestKnownForce) {
   const CommandResult result = simulate("--out run --session");
-  const json report = reportOf(result);
+  const json report = parseReport(result);
   EXPECT_NEAR(report["device"]["stiffness_factor"].get<double>(), 0.1333, 0.0002);
   EXPECT_EQ(report["device"]["force_n"], 3.3);
   EXPECT_FALSE(report["device"]["unsafe_stiffness"]);
@@ -48,7 +48,7 @@ TEST_F(SafetyLimits, ASceneCannotRequestPastTheCapOrTheWeakestKnownForce) {
 
 TEST_F(SafetyLimits, ConsentOnTheCommandLineIsSaidInReportAndRecording) {
   const CommandResult result = simulate("--unsafe-stiffness --out run --session");
-  const json report = reportOf(result);
+  const json report = parseReport(result);
   EXPECT_EQ(report["device"]["stiffness_factor"], 1.0);
   EXPECT_EQ(report["device"]["force_n"], 100.0);
   EXPECT_TRUE(report["device"]["unsafe_stiffness"]);
@@ -58,11 +58,11 @@ TEST_F(SafetyLimits, ConsentOnTheCommandLineIsSaidInReportAndRecording) {
 
   const CommandResult info = run("recording info run/run.session");
   EXPECT_NE(info.out.find("UNSAFE"), std::string::npos) << info.out;
-  EXPECT_TRUE(reportOf(run("recording info --json run/run.session"))["limits"][0]["unsafe_stiffness"]);
+  EXPECT_TRUE(parseReport(run("recording info --json run/run.session"))["limits"][0]["unsafe_stiffness"]);
   if (support::hasProgramOf("recording report")) {
-    EXPECT_EQ(reportOf(run("recording report --json run/run.session"))["unsafe_stiffness"].size(), 1u);
+    EXPECT_EQ(parseReport(run("recording report --json run/run.session"))["unsafe_stiffness"].size(), 1u);
   }
-  EXPECT_TRUE(reportOf(run("recording replay --verify --json run/run.session"))["identical"]);
+  EXPECT_TRUE(parseReport(run("recording replay --verify --json run/run.session"))["identical"]);
   // The recording's own scene does not bring the consent along.
   EXPECT_EQ(support::contentOf(folder_ / "run/run.session").find("unsafe_stiffness = true"), std::string::npos);
 }
@@ -71,9 +71,9 @@ TEST_F(SafetyLimits, ARecordingWithoutAWindowSaysIt) {
   const std::string scene = "recording new " + kRequest + " --seconds 0.3 --json -o ";
   const CommandResult unsafe = run(scene + "unsafe.session --unsafe-stiffness");
   EXPECT_NE(unsafe.err.find("palpate: UNSAFE"), std::string::npos) << unsafe.err;
-  EXPECT_EQ(reportOf(unsafe)["safety_notes"].size(), 1u);
+  EXPECT_EQ(parseReport(unsafe)["safety_notes"].size(), 1u);
   EXPECT_NE(run("recording info unsafe.session").out.find("UNSAFE"), std::string::npos);
-  EXPECT_EQ(reportOf(run(scene + "safe.session"))["safety_notes"].size(), 2u);
+  EXPECT_EQ(parseReport(run(scene + "safe.session"))["safety_notes"].size(), 2u);
 }
 
 TEST_F(SafetyLimits, NoSceneFileGivesTheConsent) {
@@ -101,13 +101,13 @@ TEST_F(SafetyLimits, OfAHeldDeviceAreReportedAsTheyHeld) {
   text.replace(text.find("delay_ticks = 3"), 15, "delay_ticks = 1");
   writeFile(folder_ / "scene.toml", text);
   const json report =
-      reportOf(run("simulate --no-pictures --no-plot --json scene.toml --out run --session --device hand:touch_x"));
+      parseReport(run("simulate --no-pictures --no-plot --json scene.toml --out run --session --device hand:touch_x"));
   const double factor = report["device"]["stiffness_factor"];
   EXPECT_NEAR(factor, 0.2, 1e-6) << "1 N/mm of the Touch X";
   EXPECT_EQ(report["device"]["force_n"], 7.9);
   const std::string notes = report["notes"].dump();
   EXPECT_NE(notes.find("all forces times 0.20"), std::string::npos) << notes;
-  const json limits = reportOf(run("recording info --json run/run.session"))["limits"][0];
+  const json limits = parseReport(run("recording info --json run/run.session"))["limits"][0];
   EXPECT_EQ(limits["stiffness_factor"], factor) << "one truth";
   EXPECT_EQ(limits["force_n"], report["device"]["force_n"]);
   EXPECT_EQ(limits["stiffness_n_per_mm"], report["device"]["stiffness_n_per_mm"]);
@@ -119,7 +119,7 @@ TEST_F(SafetyLimits, TheDeviceThatOpenedDecidesNotTheOneThatTheSceneNames) {
   text.replace(text.find("delay_ticks = 3"), 15, "delay_ticks = 1");
   writeFile(folder_ / "scene.toml", text);
   const json report =
-      reportOf(run("simulate --no-pictures --no-plot --json scene.toml --device hand:omni --out run --session"));
+      parseReport(run("simulate --no-pictures --no-plot --json scene.toml --device hand:omni --out run --session"));
   EXPECT_EQ(report["device"]["force_n"], 3.3);
   EXPECT_NEAR(report["device"]["stiffness_factor"].get<double>(), 0.1, 1e-6) << "0.5 N/mm of the Omni";
   EXPECT_NE(report["notes"].dump().find("passivity = false: on a device it stays on"), std::string::npos);
@@ -127,7 +127,7 @@ TEST_F(SafetyLimits, TheDeviceThatOpenedDecidesNotTheOneThatTheSceneNames) {
 
 TEST_F(SafetyLimits, TheDoctorMeasuresASimulatedHandLikeAnyDevice) {
   const CommandResult result = run("devices --doctor --seconds 0.3 --device hand:stylus_z,omni --json");
-  const json finding = reportOf(result)[0];
+  const json finding = parseReport(result)[0];
   EXPECT_TRUE(finding["available"]);
   EXPECT_EQ(finding["not_measured"], "");
   EXPECT_EQ(finding["capabilities"]["max_force_n"], 3.3);

@@ -44,7 +44,7 @@ class Simulate : public ::testing::Test {
     return nlohmann::json::parse(contentOf(folder_ / (out + "/report.json")));
   }
   /// The error of a run that must end with exit code 2 and exactly one line.
-  std::string errorOf(const std::string& arguments) const {
+  std::string runForError(const std::string& arguments) const {
     const CommandResult result = simulate(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments << "\n" << result.err;
     EXPECT_EQ(result.out, "") << arguments;
@@ -156,7 +156,7 @@ TEST_F(Simulate, RunsTheDissertationsContactAndRefusesItASphere) {
   const std::string scene = support::sourceFolder().string() + "/scenes/dissertation_contact.toml";
   ASSERT_EQ(simulate(scene).exit_code, 0);
   EXPECT_GT(report()["fingers"][0]["touching_share"], 0.7);
-  EXPECT_EQ(errorOf(scene + " --radius-mm 8"),
+  EXPECT_EQ(runForError(scene + " --radius-mm 8"),
             "palpate: contact source \"hdb\" touches with a point: finger 'index' must have radius_mm = 0, not 8\n");
 }
 
@@ -172,7 +172,7 @@ TEST_F(Simulate, AStiffeningSkinGivesWayToAPressThatIsNotDeep) {
   const auto peak = [&](const std::string& out) { return double(report(out)["fingers"][0]["force_n"]["peak"]); };
   EXPECT_LT(peak("stiffening"), 0.9 * peak("linear")) << "they agree at 8 mm";
   EXPECT_GT(peak("stiffening"), 0.5 * peak("linear"));
-  EXPECT_NE(errorOf("table.toml").find("law.csv:3: depth_mm must increase, but 2 follows 3"), std::string::npos);
+  EXPECT_NE(runForError("table.toml").find("law.csv:3: depth_mm must increase, but 2 follows 3"), std::string::npos);
 }
 
 TEST_F(Simulate, WritesSurfacesWithDisplacementAndStrain) {
@@ -222,7 +222,7 @@ TEST_F(Simulate, MixesNoTwoRuns) {
   ASSERT_EQ(simulate(run).exit_code, 0);
   ASSERT_EQ(simulate(run).exit_code, 0) << "without --out a second run gets a name of its own";
   EXPECT_TRUE(std::filesystem::exists(folder_ / "results-2/report.json"));
-  const std::string error = errorOf(run + " --out results");
+  const std::string error = runForError(run + " --out results");
   EXPECT_NE(error.find("results: holds another run ("), std::string::npos) << error;
   EXPECT_NE(error.find("--overwrite replaces it, --out results-3 is free"), std::string::npos) << error;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "results/surface_deepest.ply"));
@@ -236,7 +236,7 @@ TEST_F(Simulate, NamesTheLineOfAFaultyProfile) {
   write("s.toml",
         "[deformation]\nprofile = \"user\"\nprofile_file = \"mine.csv\"\n"
         "[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n");
-  EXPECT_NE(errorOf("s.toml").find("mine.csv:4: q must ascend: 0.2 after 0.3"), std::string::npos);
+  EXPECT_NE(runForError("s.toml").find("mine.csv:4: q must ascend: 0.2 after 0.3"), std::string::npos);
 }
 
 TEST_F(Simulate, GivesTheSameForcesTwice) {
@@ -301,26 +301,27 @@ TEST_F(Simulate, SaysWhenNothingWasTouched) {
 }
 
 TEST_F(Simulate, RefusesWrongInputInOneLineWithExitCodeTwo) {
-  EXPECT_EQ(errorOf("nowhere.toml"), "palpate: nowhere.toml: no such file\n");
-  EXPECT_EQ(errorOf("--mesh nowhere.obj"), "palpate: nowhere.obj: no such file\n");
-  EXPECT_EQ(errorOf("--mesh dome.obj --trajectory nowhere.csv"), "palpate: nowhere.csv: no such file\n");
+  EXPECT_EQ(runForError("nowhere.toml"), "palpate: nowhere.toml: no such file\n");
+  EXPECT_EQ(runForError("--mesh nowhere.obj"), "palpate: nowhere.obj: no such file\n");
+  EXPECT_EQ(runForError("--mesh dome.obj --trajectory nowhere.csv"), "palpate: nowhere.csv: no such file\n");
   write("bad.csv", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n0.1,1,two,3\n");
-  EXPECT_EQ(errorOf("--mesh dome.obj --trajectory bad.csv"), "palpate: bad.csv:3: y_mm is not a number: 'two'\n");
+  EXPECT_EQ(runForError("--mesh dome.obj --trajectory bad.csv"), "palpate: bad.csv:3: y_mm is not a number: 'two'\n");
   write("nan.csv", "0,1,2,nan\n");
-  EXPECT_EQ(errorOf("--mesh dome.obj --trajectory nan.csv"), "palpate: nan.csv:1: z_mm is nan\n");
+  EXPECT_EQ(runForError("--mesh dome.obj --trajectory nan.csv"), "palpate: nan.csv:1: z_mm is nan\n");
   write("empty.csv", "");
-  EXPECT_EQ(errorOf("--mesh dome.obj --trajectory empty.csv"), "palpate: empty.csv: empty trajectory: no rows\n");
+  EXPECT_EQ(runForError("--mesh dome.obj --trajectory empty.csv"), "palpate: empty.csv: empty trajectory: no rows\n");
   write("bad.toml", "[friction]\nstatik = 1\n");
-  EXPECT_EQ(errorOf("bad.toml"), "palpate: bad.toml:2: unknown key 'statik' in [friction]; did you mean 'static'?\n");
+  EXPECT_EQ(runForError("bad.toml"),
+            "palpate: bad.toml:2: unknown key 'statik' in [friction]; did you mean 'static'?\n");
   write("garbage.toml", std::string("\0\1\2\xff", 4));
-  EXPECT_NE(errorOf("garbage.toml").find("palpate: garbage.toml:1: "), std::string::npos);
+  EXPECT_NE(runForError("garbage.toml").find("palpate: garbage.toml:1: "), std::string::npos);
   write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
-  EXPECT_NE(errorOf("--mesh line.obj").find("palpate: line.obj: "), std::string::npos);
-  EXPECT_NE(errorOf("--mesh path.csv").find("palpate: path.csv: "), std::string::npos);
+  EXPECT_NE(runForError("--mesh line.obj").find("palpate: line.obj: "), std::string::npos);
+  EXPECT_NE(runForError("--mesh path.csv").find("palpate: path.csv: "), std::string::npos);
   write("file", "");
-  EXPECT_EQ(errorOf("--mesh dome.obj --out file"),
+  EXPECT_EQ(runForError("--mesh dome.obj --out file"),
             "palpate: file: cannot be made a folder for results: Not a directory\n");
-  EXPECT_EQ(errorOf("--mesh dome.obj --unit furlong"),
+  EXPECT_EQ(runForError("--mesh dome.obj --unit furlong"),
             "palpate: --unit: 'furlong' is neither one of auto, mm, cm, dm, m, in nor a number of millimetres (see "
             "--help)\n");
 }

@@ -40,7 +40,7 @@ constexpr WrittenFile kCubes[] = {
 
 class WrittenFiles : public testing::Test {
  protected:
-  nlohmann::json infoOf(const std::string& name, const std::string& options = "") const {
+  nlohmann::json readBodyInfo(const std::string& name, const std::string& options = "") const {
     const auto result = support::runPalpate("body info --json " + (kWritten / name).string() + options, folder_.path());
     EXPECT_EQ(result.exit_code, 0) << name << ": " << result.err;
     return result.exit_code == 0 ? nlohmann::json::parse(result.out) : nlohmann::json();
@@ -68,7 +68,7 @@ class WrittenFiles : public testing::Test {
 
 TEST_F(WrittenFiles, AreTheCubeThatTheySay) {
   for (const auto& [name, told, options] : kCubes) {
-    const nlohmann::json info = infoOf(name, options);
+    const nlohmann::json info = readBodyInfo(name, options);
     EXPECT_EQ(info["triangles"], 12) << name;
     EXPECT_TRUE(info["closed"]) << name;
     EXPECT_NEAR(info["volume_mm3"].get<double>(), 1e6, 1e-3) << name;
@@ -88,7 +88,7 @@ TEST_F(WrittenFiles, AreFeltAlike) {
 }
 
 TEST_F(WrittenFiles, APolygonOf65CornersIsNotFeltInItsHollow) {
-  const nlohmann::json info = infoOf("kidney65.obj");
+  const nlohmann::json info = readBodyInfo("kidney65.obj");
   EXPECT_TRUE(info["closed"]);
   EXPECT_EQ(info["triangles"], 2 * 63 + 2 * 65);
   EXPECT_EQ(info["traits"]["self_intersections"]["count"], 0);

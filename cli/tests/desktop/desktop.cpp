@@ -145,7 +145,7 @@ bool Desktop::hand(const std::string& words) const {
   return std::system(command.c_str()) == 0;
 }
 
-std::map<std::string, std::string> valuesOf(const std::string& line) {
+std::map<std::string, std::string> parseFrameLine(const std::string& line) {
   std::map<std::string, std::string> values;
   if (!line.starts_with("frame ")) return values;
   std::istringstream words(line);
@@ -190,7 +190,7 @@ bool Program::until(const std::function<bool(const std::map<std::string, std::st
   constexpr double kPatienceS = 20.0;  // of the program's own clock
   const double start_s = number("t");
   for (std::string line = child_.line(); !line.empty(); line = child_.line()) {
-    auto values = valuesOf(line);
+    auto values = parseFrameLine(line);
     if (values.empty()) continue;
     newest_ = std::move(values);
     if (ready(newest_)) return true;
@@ -212,7 +212,7 @@ std::string Program::word(const std::string& name) const {
 std::string Program::rest() {
   std::string all;
   for (std::string line = child_.line(); !line.empty(); line = child_.line()) {
-    const auto values = valuesOf(line);
+    const auto values = parseFrameLine(line);
     if (!values.empty()) newest_ = values;
     all += line + "\n";
   }

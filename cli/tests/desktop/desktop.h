@@ -59,7 +59,7 @@ class Desktop {
 };
 
 /// The values of a line of `palpate run --verbose`: "frame 3 t=0.1 depth=2.5 ..." as a map.
-std::map<std::string, std::string> valuesOf(const std::string& line);
+std::map<std::string, std::string> parseFrameLine(const std::string& line);
 
 /// `palpate run` on a desktop, with a folder for its settings and files.
 class Program {

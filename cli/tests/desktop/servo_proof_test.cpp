@@ -28,7 +28,7 @@ double numberAfter(const std::string& report, const std::string& word) {
 
 /// Presses, disturbs for a phase, quits; what the servo reports of all that.
 template <class Disturb>
-std::string reportOf(const Desktop& desktop, const std::filesystem::path& folder, const Disturb& disturb) {
+std::string runForServoReport(const Desktop& desktop, const std::filesystem::path& folder, const Disturb& disturb) {
   Program program(desktop, folder, {"sheet.ply", "--no-state"});
   EXPECT_TRUE(program.hand("mousemove 790 380 mousedown 1"));
   EXPECT_TRUE(program.until([](const auto& v) { return std::atof(v.at("depth").c_str()) > 5.0; }));
@@ -46,9 +46,9 @@ TEST(ServoProof, GoesOnWhileTheScreenIsFilledAndLeft) {
   const support::TemporaryFolder folder;
   mesh::save(folder / "sheet.ply", zoo::wavyGrid(40, 200.0, 3.0));
   const Desktop desktop;
-  const std::string idle =
-      reportOf(desktop, folder.path(), [](Program& program) { program.until([](const auto&) { return true; }); });
-  const std::string filled = reportOf(desktop, folder.path(), [](Program& program) {
+  const std::string idle = runForServoReport(desktop, folder.path(),
+                                             [](Program& program) { program.until([](const auto&) { return true; }); });
+  const std::string filled = runForServoReport(desktop, folder.path(), [](Program& program) {
     program.hand("key F11");
     ASSERT_TRUE(program.until([](const auto& v) { return v.at("size") == kFilled; }));
     program.hand("key F11");

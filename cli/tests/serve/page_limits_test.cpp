@@ -37,7 +37,7 @@ struct PageFinger {
                         [this](bool halted) { halts.push_back(halted); }};
 
   std::string press(const Vec3& place, double now_s, double depth_mm = 6.0, std::optional<double> force_n = {}) {
-    return control.hear(kPage, Role::control, Point{0, true, place, Vec3::UnitZ(), depth_mm, force_n}, now_s);
+    return control.handleRequest(kPage, Role::control, Point{0, true, place, Vec3::UnitZ(), depth_mm, force_n}, now_s);
   }
   std::string press(double now_s) { return press(Vec3::Zero(), now_s); }
 };
@@ -82,7 +82,7 @@ TEST(PageFinger, IsLiftedAfterHalfASecondOfSilence) {
 TEST(PageFinger, LosesItsHolderAfterAMinuteOfSilence) {
   PageFinger page;
   page.press(0.0);
-  page.control.hear(kPage, Role::control, Listen{}, 1.0);
+  page.control.handleRequest(kPage, Role::control, Listen{}, 1.0);
   page.control.tick(60.9);
   EXPECT_EQ(page.control.holder(), kPage);
   page.control.tick(61.1);
@@ -98,7 +98,7 @@ TEST(PageFinger, IsFollowedAtFourHundredMillimetresASecondWhileItPresses) {
   EXPECT_NEAR(page.target.place.x(), 9.9, 1e-9);
   page.press({-50, 0, 0}, 5.0);
   EXPECT_NEAR(page.target.place.x(), 9.9 - 41.0, 1e-9) << "a page that froze: at most 0.1 s of way";
-  page.control.hear(kPage, Role::control, Lift{}, 6.0);
+  page.control.handleRequest(kPage, Role::control, Lift{}, 6.0);
   page.press({50, 0, 0}, 6.01);
   EXPECT_EQ(page.target.place.x(), 50.0) << "in the air it is wherever it is";
 }
@@ -113,11 +113,11 @@ TEST(PageFinger, IsNoFartherThanThirtyMillimetresFromTheBody) {
 TEST(PageFinger, IsOneHoldersAtATime) {
   PageFinger page;
   page.press(0.0);
-  EXPECT_EQ(page.control.hear(kOther, Role::control, Take{}, 0.1), "somebody else has the finger");
-  EXPECT_EQ(page.control.hear(kOther, Role::control, Lift{}, 0.1), "somebody else has the finger");
-  EXPECT_EQ(page.control.hear(kOther, Role::look, Take{}, 0.1), "this token is for looking on");
+  EXPECT_EQ(page.control.handleRequest(kOther, Role::control, Take{}, 0.1), "somebody else has the finger");
+  EXPECT_EQ(page.control.handleRequest(kOther, Role::control, Lift{}, 0.1), "somebody else has the finger");
+  EXPECT_EQ(page.control.handleRequest(kOther, Role::look, Take{}, 0.1), "this token is for looking on");
   EXPECT_TRUE(page.target.pressed);
-  EXPECT_EQ(page.control.hear(kOther, Role::instruct, Take{}, 0.2), "");
+  EXPECT_EQ(page.control.handleRequest(kOther, Role::instruct, Take{}, 0.2), "");
   EXPECT_EQ(page.control.holder(), kOther);
   EXPECT_FALSE(page.target.pressed);
   EXPECT_EQ(page.press(0.3), "somebody else has the finger");
@@ -130,13 +130,13 @@ TEST(PageFinger, IsOneHoldersAtATime) {
 TEST(PageFinger, IsLiftedWhereWhoInstructsPauses) {
   PageFinger page;
   page.press(0.0);
-  EXPECT_EQ(page.control.hear(kPage, Role::control, Pause{true}, 0.1), "only who instructs pauses");
+  EXPECT_EQ(page.control.handleRequest(kPage, Role::control, Pause{true}, 0.1), "only who instructs pauses");
   EXPECT_TRUE(page.target.pressed);
-  EXPECT_EQ(page.control.hear(kOther, Role::instruct, Pause{true}, 0.1), "");
+  EXPECT_EQ(page.control.handleRequest(kOther, Role::instruct, Pause{true}, 0.1), "");
   EXPECT_FALSE(page.target.pressed);
   EXPECT_EQ(page.press(0.2), "paused by who instructs");
-  EXPECT_EQ(page.control.hear(kOther, Role::instruct, Pause{true}, 0.2), "");
-  EXPECT_EQ(page.control.hear(kOther, Role::instruct, Pause{false}, 0.3), "");
+  EXPECT_EQ(page.control.handleRequest(kOther, Role::instruct, Pause{true}, 0.2), "");
+  EXPECT_EQ(page.control.handleRequest(kOther, Role::instruct, Pause{false}, 0.3), "");
   EXPECT_EQ(page.halts, (std::vector<bool>{true, false})) << "devices too, once each";
   EXPECT_EQ(page.press(0.4), "");
   page.control.close(0.5);
@@ -149,24 +149,24 @@ TEST(PageFinger, AFingerThatIsNotThereOrThatADeviceHoldsIsRefused) {
   FingerControl control({{"left", 8.0, "touch"}, {"right", 6.0, ""}}, Box3(Vec3::Constant(-50.0), Vec3::Constant(50.0)),
                         [&](std::size_t, const device::FingerTarget& to) { target = to; });
   EXPECT_TRUE(control.hasFreeFinger());
-  EXPECT_EQ(control.hear(kPage, Role::control, Point{0, true}, 0.0), "a device holds this finger");
-  EXPECT_EQ(control.hear(kPage, Role::control, Point{2, true}, 0.0), "no such finger");
-  EXPECT_EQ(control.hear(kPage, Role::control, Point{1, true}, 0.0), "");
+  EXPECT_EQ(control.handleRequest(kPage, Role::control, Point{0, true}, 0.0), "a device holds this finger");
+  EXPECT_EQ(control.handleRequest(kPage, Role::control, Point{2, true}, 0.0), "no such finger");
+  EXPECT_EQ(control.handleRequest(kPage, Role::control, Point{1, true}, 0.0), "");
   EXPECT_EQ(target.radius_mm, 6.0);
-  EXPECT_EQ(control.hear(kPage, Role::control, Lift{2}, 0.0), "no such finger");
+  EXPECT_EQ(control.handleRequest(kPage, Role::control, Lift{2}, 0.0), "no such finger");
 }
 
 /// Why the text is no request; empty: it is one.
-std::string refusalOf(const std::string& text) {
+std::string refusalReason(const std::string& text) {
   std::string why;
-  return requestOf(text, why) ? "" : why;
+  return parseRequest(text, why) ? "" : why;
 }
 
 TEST(PageMessage, HasAThousandAndTwentyFourBytesAtMost) {
   std::string text = R"({"type":"take"})";
   text.resize(1024, ' ');
-  EXPECT_EQ(refusalOf(text), "");
-  EXPECT_EQ(refusalOf(text + " "), "too long");
+  EXPECT_EQ(refusalReason(text), "");
+  EXPECT_EQ(refusalReason(text + " "), "too long");
 }
 
 TEST(PageMessage, NumbersBeyondTheirRangeAreNoMessage) {
@@ -174,18 +174,18 @@ TEST(PageMessage, NumbersBeyondTheirRangeAreNoMessage) {
     return R"({"type":"finger","finger":)" + finger + R"(,"pressed":true,"place":[)" + x +
            R"(,0,0],"normal":[0,0,1],)" + how + "}";
   };
-  EXPECT_EQ(refusalOf(point("0", "1e5", R"("depth_mm":60)")), "");
-  EXPECT_EQ(refusalOf(point("0", "-100001", R"("depth_mm":60)")), "place is out of range");
-  EXPECT_EQ(refusalOf(point("0", "0", R"("depth_mm":60.1)")), "depth_mm is out of range");
-  EXPECT_EQ(refusalOf(point("0", "0", R"("depth_mm":-0.1)")), "depth_mm is out of range");
-  EXPECT_EQ(refusalOf(point("64", "0", R"("force_n":60)")), "");
-  EXPECT_EQ(refusalOf(point("0", "0", R"("force_n":60.1)")), "force_n is out of range");
-  EXPECT_EQ(refusalOf(point("65", "0", R"("force_n":1)")), "finger is out of range");
+  EXPECT_EQ(refusalReason(point("0", "1e5", R"("depth_mm":60)")), "");
+  EXPECT_EQ(refusalReason(point("0", "-100001", R"("depth_mm":60)")), "place is out of range");
+  EXPECT_EQ(refusalReason(point("0", "0", R"("depth_mm":60.1)")), "depth_mm is out of range");
+  EXPECT_EQ(refusalReason(point("0", "0", R"("depth_mm":-0.1)")), "depth_mm is out of range");
+  EXPECT_EQ(refusalReason(point("64", "0", R"("force_n":60)")), "");
+  EXPECT_EQ(refusalReason(point("0", "0", R"("force_n":60.1)")), "force_n is out of range");
+  EXPECT_EQ(refusalReason(point("65", "0", R"("force_n":1)")), "finger is out of range");
   const auto say = [](std::size_t letters) {
     return R"({"type":"message","text":")" + std::string(letters, 'a') + "\"}";
   };
-  EXPECT_EQ(refusalOf(say(200)), "");
-  EXPECT_EQ(refusalOf(say(201)), "text is too long");
+  EXPECT_EQ(refusalReason(say(200)), "");
+  EXPECT_EQ(refusalReason(say(201)), "text is too long");
 }
 
 TEST(PageMessage, APlaceIsThreeNumbersAndADirectionComesToLengthOne) {
@@ -193,11 +193,11 @@ TEST(PageMessage, APlaceIsThreeNumbersAndADirectionComesToLengthOne) {
     return R"({"type":"finger","finger":0,"pressed":true,"place":)" + place + R"(,"normal":)" + normal +
            R"(,"depth_mm":6})";
   };
-  EXPECT_EQ(refusalOf(point("[1,2]", "[0,0,1]")), "place is not three numbers");
-  EXPECT_EQ(refusalOf(point(R"([1,2,"3"])", "[0,0,1]")), "place is out of range");
-  EXPECT_EQ(refusalOf(point("[1,2,3]", "[0,0,0.4]")), "normal has no length");
+  EXPECT_EQ(refusalReason(point("[1,2]", "[0,0,1]")), "place is not three numbers");
+  EXPECT_EQ(refusalReason(point(R"([1,2,"3"])", "[0,0,1]")), "place is out of range");
+  EXPECT_EQ(refusalReason(point("[1,2,3]", "[0,0,0.4]")), "normal has no length");
   std::string why;
-  const auto request = requestOf(point("[1,2,3]", "[0,0,0.6]"), why);
+  const auto request = parseRequest(point("[1,2,3]", "[0,0,0.6]"), why);
   ASSERT_TRUE(request) << why;
   EXPECT_EQ(std::get<Point>(*request).normal, Vec3::UnitZ());
 }
@@ -240,7 +240,7 @@ struct ServedSite {
     settings.tokens = {"look-0123456789abcdef", kToken, "instruct-0123456789abcdef"};
     return settings;
   }
-  static Exhibits site(const support::TemporaryFolder& folder) {
+  static ServedContent site(const support::TemporaryFolder& folder) {
     std::ofstream(folder / "index.html") << "<!doctype html><head></head>";
     std::ofstream(folder / "large.bin") << std::string(std::size_t{1} << 20, 'x');
     return {Site(folder.path()), {}, {}, Json::object(), nullptr};

@@ -46,7 +46,7 @@ TEST(ServeGuards, TheSchemeBearerMayBeWrittenInAnyLetters) {
 }
 
 /// The status of a request of these lines; 0: none came.
-int statusOf(int port, const std::string& first_line, const std::string& lines) {
+int requestStatus(int port, const std::string& first_line, const std::string& lines) {
   PlainWire wire(port);
   wire.send(first_line + "\r\n" + lines + "\r\n");
   const auto head = wire.receiveUntil("\r\n", 10.0);
@@ -55,7 +55,7 @@ int statusOf(int port, const std::string& first_line, const std::string& lines) 
 
 TEST(ServeGuards, ARequestNamesOneHost) {
   const ServedCommand server;
-  const auto status = [&](const std::string& lines) { return statusOf(server.port(), "GET / HTTP/1.1", lines); };
+  const auto status = [&](const std::string& lines) { return requestStatus(server.port(), "GET / HTTP/1.1", lines); };
   for (const char* host :
        {"localhost", "127.0.0.1:8080", "[::1]:8080", "[::1]", "Palpate.Example.org", "a_b:", "x:1"}) {
     EXPECT_EQ(status(std::string("Host: ") + host + "\r\n"), 200) << host;
@@ -69,8 +69,8 @@ TEST(ServeGuards, ARequestNamesOneHost) {
     EXPECT_EQ(status(std::string("Host: ") + host + "\r\n"), 400) << host;
   }
   EXPECT_EQ(status("Host: " + std::string(256, 'a') + "\r\n"), 400);
-  EXPECT_EQ(statusOf(server.port(), "GET / HTTP/1.0", ""), 200) << "which has none";
-  EXPECT_EQ(statusOf(server.port(), "GET / HTTP/1.0", "Host: a\r\nHost: b\r\n"), 400);
+  EXPECT_EQ(requestStatus(server.port(), "GET / HTTP/1.0", ""), 200) << "which has none";
+  EXPECT_EQ(requestStatus(server.port(), "GET / HTTP/1.0", "Host: a\r\nHost: b\r\n"), 400);
 }
 
 TEST(ServeGuards, AStrangeNameThatLeadsHereOpensNothing) {
@@ -79,7 +79,7 @@ TEST(ServeGuards, AStrangeNameThatLeadsHereOpensNothing) {
   const std::string evil = "evil.example:" + port;
   const auto status = [&](const std::string& host, const std::string& origins) {
     const std::string lines = "Host: " + host + "\r\n" + origins + withToken("Bearer ", support::kLookToken);
-    return statusOf(server.port(), "GET /served/skin HTTP/1.1", lines);
+    return requestStatus(server.port(), "GET /served/skin HTTP/1.1", lines);
   };
   const std::string own = "Origin: http://127.0.0.1:" + port + "\r\n";
   EXPECT_EQ(status("127.0.0.1:" + port, own), 200);

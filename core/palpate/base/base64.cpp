@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
 /// -1 for anything else.
-int digitOf(char letter) {
+int base64Digit(char letter) {
   if (letter >= 'A' && letter <= 'Z') return letter - 'A';
   if (letter >= 'a' && letter <= 'z') return letter - 'a' + 26;
   if (letter >= '0' && letter <= '9') return letter - '0' + 52;
@@ -40,7 +40,7 @@ std::optional<std::string> bytesOfBase64(std::string_view text) {
   std::uint32_t bits = 0;
   int bit_count = 0;
   for (const char letter : text) {
-    const int digit = digitOf(letter);
+    const int digit = base64Digit(letter);
     if (digit < 0) return std::nullopt;
     bits = bits << 6 | static_cast<std::uint32_t>(digit);
     bit_count += 6;

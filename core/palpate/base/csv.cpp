@@ -40,7 +40,7 @@ std::string_view withoutComment(std::string_view row) {
 }
 
 /// Cuts the field at the front of `rest` off, with its comma. `is_last`: there was none.
-std::string_view takeField(std::string_view& rest, bool& is_last, std::string_view file, std::size_t line) {
+std::string_view popField(std::string_view& rest, bool& is_last, std::string_view file, std::size_t line) {
   const std::size_t first = rest.find_first_not_of(" \t");
   const bool quoted = first != std::string_view::npos && rest[first] == '"';
   std::size_t begin = 0;
@@ -65,7 +65,7 @@ std::string_view takeField(std::string_view& rest, bool& is_last, std::string_vi
 
 void splitInto(std::vector<std::string_view>& fields, std::string_view row, std::string_view file, std::size_t line) {
   fields.clear();
-  for (bool is_last = false; !is_last;) fields.push_back(takeField(row, is_last, file, line));
+  for (bool is_last = false; !is_last;) fields.push_back(popField(row, is_last, file, line));
 }
 
 bool isNumberWithComma(std::string_view field) {

@@ -24,10 +24,10 @@ constexpr double kTiny = 0x1p-55;
 
 std::uint64_t bitsOf(double x) { return std::bit_cast<std::uint64_t>(x); }
 
-double doubleOf(std::uint64_t bits) { return std::bit_cast<double>(bits); }
+double doubleFromBits(std::uint64_t bits) { return std::bit_cast<double>(bits); }
 
 /// 2^k for k from -1022 to 1023.
-double powerOfTwo(int k) { return doubleOf(static_cast<std::uint64_t>(k + 1023) << 52); }
+double powerOfTwo(int k) { return doubleFromBits(static_cast<std::uint64_t>(k + 1023) << 52); }
 
 /// value * 2^k, rounded once more where the result is subnormal.
 double scaled(double value, int k) {
@@ -51,7 +51,7 @@ DoublePair exactSum(double a, double b) {
 }
 
 /// The upper 26 bits of a number: a product of two such is exact.
-double upperHalf(double x) { return doubleOf(bitsOf(x) & 0xfffffffff8000000u); }
+double upperHalf(double x) { return doubleFromBits(bitsOf(x) & 0xfffffffff8000000u); }
 
 /// Nothing is lost above the smallest normal numbers.
 DoublePair exactProduct(double a, double b) {
@@ -100,7 +100,7 @@ double expTail(double r) {
 }
 
 /// exp(r) 2^(j / 128) 2^k; `low` adds to r.
-double expOf(double whole, double r, double low) {
+double reconstructExp(double whole, double r, double low) {
   const ExpParts parts = partsOfExponent(whole);
   const double beyond_one = r + (low + r * expTail(r));
   const double value = parts.table->high + (parts.table->low + parts.table->high * beyond_one);
@@ -111,7 +111,7 @@ double expOf(double whole, double r, double low) {
 double expOfPair(DoublePair x) {
   const double whole = (x.high * k128OfLn2 + kRounder) - kRounder;
   const DoublePair r = exactSum(x.high - whole * kLn2Of128[0], x.low - whole * kLn2Of128[1]);
-  return expOf(whole, r.high, r.low);
+  return reconstructExp(whole, r.high, r.low);
 }
 
 /// exp x - 1 as a pair, of |x| below 50 and above kTiny.
@@ -148,7 +148,7 @@ LogParts logParts(double high, double low) {
   constexpr std::uint64_t kRootHalf = 0x3fe6a09e667f3bcd;  // mantissas lie between sqrt(1/2) and sqrt(2)
   const std::uint64_t bits = bitsOf(high);
   const int shift = static_cast<int>(static_cast<std::int64_t>(bits - kRootHalf) >> 52);
-  const double mantissa = doubleOf(bits - (static_cast<std::uint64_t>(static_cast<std::int64_t>(shift)) << 52));
+  const double mantissa = doubleFromBits(bits - (static_cast<std::uint64_t>(static_cast<std::int64_t>(shift)) << 52));
   k += shift;
   const double j = (mantissa * 128.0 + kRounder) - kRounder;
   const double f = j / 128.0;
@@ -178,7 +178,7 @@ DoublePair logPair(double high, double low) {
 }
 
 /// The logarithm of an argument that is not positive and finite.
-double logOfOther(double x) {
+double logOfSpecial(double x) {
   if (x == 0.0) return -kInfinity;
   return x < 0.0 ? kNan : x;  // infinity and NaN stay what they are
 }
@@ -186,7 +186,7 @@ double logOfOther(double x) {
 // --- powers
 
 /// y is a whole number: odd 1, even 2; else 0.
-int parityOf(double y) {
+int integerParity(double y) {
   const double size = std::fabs(y);
   if (size >= 0x1p53) return 2;
   if (size != std::floor(size)) return 0;
@@ -237,7 +237,7 @@ void multiply(std::uint64_t mantissa, const std::uint32_t (&window)[kWindow], st
 }
 
 /// Payne and Hanek: only the bits of x times 2 / pi that matter, in whole numbers. For x from 2^20.
-Reduced reducedFarOut(double x) {
+Reduced reduceLarge(double x) {
   const std::uint64_t bits = bitsOf(x);
   const std::uint64_t mantissa = (bits & 0xfffffffffffffu) | 0x10000000000000u;
   const int exponent = static_cast<int>(bits >> 52) - 1075;  // x = mantissa 2^exponent
@@ -270,7 +270,7 @@ Reduced reduced(double x) {
   const double size = std::fabs(x);
   if (size <= 0.78539816339744830) return {0, {x, 0.0}};
   if (size >= 0x1p20) {
-    const Reduced far = reducedFarOut(size);
+    const Reduced far = reduceLarge(size);
     if (x > 0.0) return far;
     return {(4 - far.quadrant) & 3, {-far.rest.high, -far.rest.low}};
   }
@@ -310,7 +310,7 @@ DoublePair cosOfRest(DoublePair r) {
   return quickSum(one_less.high, one_less.low + (z * z * tail - 0.5 * square.low - r.high * r.low));
 }
 
-double sinOf(const Reduced& angle) {
+double sinReduced(const Reduced& angle) {
   const DoublePair value = (angle.quadrant & 1) == 0 ? sinOfRest(angle.rest) : cosOfRest(angle.rest);
   return (angle.quadrant & 2) == 0 ? rounded(value) : -rounded(value);
 }
@@ -371,7 +371,7 @@ double exp(double x) noexcept {
     if (x != x) return x;
   }
   const double whole = (x * k128OfLn2 + kRounder) - kRounder;
-  return expOf(whole, (x - whole * kLn2Of128[0]) - whole * kLn2Of128[1], 0.0);
+  return reconstructExp(whole, (x - whole * kLn2Of128[0]) - whole * kLn2Of128[1], 0.0);
 }
 
 double exp2(double x) noexcept {
@@ -381,7 +381,7 @@ double exp2(double x) noexcept {
     if (x != x) return x;
   }
   const double whole = (x * 128.0 + kRounder) - kRounder;
-  return expOf(whole, (x - whole / 128.0) * std::numbers::ln2, 0.0);
+  return reconstructExp(whole, (x - whole / 128.0) * std::numbers::ln2, 0.0);
 }
 
 double expm1(double x) noexcept {
@@ -392,12 +392,12 @@ double expm1(double x) noexcept {
 }
 
 double log(double x) noexcept {
-  if (!(x > 0.0 && x < kInfinity)) return logOfOther(x);
+  if (!(x > 0.0 && x < kInfinity)) return logOfSpecial(x);
   return rounded(logPair(x, 0.0));
 }
 
 double log2(double x) noexcept {
-  if (!(x > 0.0 && x < kInfinity)) return logOfOther(x);
+  if (!(x > 0.0 && x < kInfinity)) return logOfSpecial(x);
   const LogParts parts = logParts(x, 0.0);
   const DoublePair of_mantissa = product(parts.log_of_mantissa, kOneOfLn2);
   const DoublePair whole = exactSum(static_cast<double>(parts.k), of_mantissa.high);
@@ -406,7 +406,7 @@ double log2(double x) noexcept {
 
 double log1p(double x) noexcept {
   if (std::fabs(x) < kTiny) return x;
-  if (!(x > -1.0 && x < kInfinity)) return x == -1.0 ? -kInfinity : logOfOther(x);
+  if (!(x > -1.0 && x < kInfinity)) return x == -1.0 ? -kInfinity : logOfSpecial(x);
   const DoublePair one_more = exactSum(1.0, x);
   return rounded(logPair(one_more.high, one_more.low));
 }
@@ -419,7 +419,7 @@ double pow(double x, double y) noexcept {
     if (size == 1.0) return 1.0;
     return (size > 1.0) == (y > 0.0) ? kInfinity : 0.0;
   }
-  const int parity = parityOf(y);
+  const int parity = integerParity(y);
   const bool negative = std::signbit(x) && parity == 1;
   if (size == 0.0 || size == kInfinity) {
     const double value = (size == 0.0) == (y > 0.0) ? 0.0 : kInfinity;
@@ -433,14 +433,14 @@ double pow(double x, double y) noexcept {
 double sin(double x) noexcept {
   if (!(std::fabs(x) < kInfinity)) return kNan;
   if (std::fabs(x) < 0x1p-27) return x;
-  return sinOf(reduced(x));
+  return sinReduced(reduced(x));
 }
 
 double cos(double x) noexcept {
   if (!(std::fabs(x) < kInfinity)) return kNan;
   Reduced angle = reduced(x);
   ++angle.quadrant;
-  return sinOf(angle);
+  return sinReduced(angle);
 }
 
 double tan(double x) noexcept {

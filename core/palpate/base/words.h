@@ -55,7 +55,7 @@ constexpr std::optional<Value> valueNamed(std::string_view wanted) {
 
 /// The names only, in the table's order.
 template <class Value>
-constexpr auto allWords() {
+constexpr auto enumNames() {
   std::array<std::string_view, WordsOf<Value>::kAll.size()> words;
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = WordsOf<Value>::kAll[i].word;
   return words;
@@ -64,7 +64,7 @@ constexpr auto allWords() {
 /// The same for callers that keep or change them.
 template <class Value>
 std::vector<std::string> wordList() {
-  constexpr auto kWords = allWords<Value>();
+  constexpr auto kWords = enumNames<Value>();
   return {kWords.begin(), kWords.end()};
 }
 

@@ -32,7 +32,7 @@ constexpr double kRibWeight = 0.7;
 constexpr double kShortRibWeight = 0.45;  // ribs 1, 2, 11 and 12
 constexpr double kScapulaWeight = 2.2;
 
-double weightOf(std::size_t bone) {
+double boneWeight(std::size_t bone) {
   if (bone < kFirstRib) return kVertebraWeight;
   if (bone >= kScapulaRight) return kScapulaWeight;
   const std::size_t rib = (bone - kFirstRib) % kRibCount;
@@ -54,7 +54,7 @@ void check(const BonesSettings& settings) {
   }
 }
 
-double cellOf(const BonesSettings& settings) {
+double cellSize(const BonesSettings& settings) {
   if (settings.cell_mm > 0.0) return settings.cell_mm;
   return settings.triangles < kFineFrom ? kCoarseCellMm : kFineCellMm;
 }
@@ -100,12 +100,12 @@ Vec3 placed(const Vec3& p, const BonesSettings& settings) {
   return settings.stature_mm / kTableStatureMm * (settings.warp ? settings.warp(p) : p);
 }
 
-Vec3 leftOf(const Vec3& right) { return {-right.x(), right.y(), right.z()}; }
+Vec3 mirrorToLeft(const Vec3& right) { return {-right.x(), right.y(), right.z()}; }
 
 void addScapulaLandmarks(std::vector<Landmark>& landmarks, const std::string& bone, const ScapulaPoints& points,
                          bool left) {
   const auto add = [&](const char* name, const Vec3& p) {
-    landmarks.push_back({bone + "_" + name, bone, left ? leftOf(p) : p});
+    landmarks.push_back({bone + "_" + name, bone, left ? mirrorToLeft(p) : p});
   };
   add("superior_angle", points.superior_angle);
   add("spine_root", points.spine_root);
@@ -117,11 +117,11 @@ void addScapulaLandmarks(std::vector<Landmark>& landmarks, const std::string& bo
 
 std::vector<std::size_t> shareTriangles(std::size_t total) {
   double weights = 0.0;
-  for (std::size_t bone = 0; bone < kBoneCount; ++bone) weights += weightOf(bone);
+  for (std::size_t bone = 0; bone < kBoneCount; ++bone) weights += boneWeight(bone);
   std::vector<std::size_t> counts;
   std::size_t given = 0;
   for (std::size_t bone = 0; bone < kBoneCount; ++bone) {
-    counts.push_back(2 * static_cast<std::size_t>(0.5 * static_cast<double>(total) * weightOf(bone) / weights));
+    counts.push_back(2 * static_cast<std::size_t>(0.5 * static_cast<double>(total) * boneWeight(bone) / weights));
     given += counts.back();
   }
   // The remainder of rounding down, two triangles per vertebra, again from T1 on.
@@ -133,7 +133,7 @@ std::vector<Bone> makeBones(const BonesSettings& settings) {
   check(settings);
   const std::vector<std::size_t> counts = shareTriangles(settings.triangles);
   std::vector<Bone> bones;
-  const double cell_mm = cellOf(settings);
+  const double cell_mm = cellSize(settings);
   addVertebrae(bones, counts, cell_mm);
   addRibs(bones, counts);
   addScapulae(bones, counts, cell_mm);
@@ -152,7 +152,7 @@ std::vector<Landmark> boneLandmarks(const BonesSettings& settings) {
     for (int rib = 1; rib <= kRibCount; ++rib) {
       const std::string bone = ribName(rib, left ? "left" : "right");
       const Vec3 angle = rightRibAngle(rib, ribRows()[rib - 1]);
-      landmarks.push_back({bone + "_angle", bone, left ? leftOf(angle) : angle});
+      landmarks.push_back({bone + "_angle", bone, left ? mirrorToLeft(angle) : angle});
     }
   }
   addScapulaLandmarks(landmarks, "scapula_right", rightScapulaPoints(), false);

@@ -63,7 +63,7 @@ std::vector<Vec3> jointsOf(const FingerRow& finger) {
 }
 
 // A chain of capsules through the joints with a waist in every phalanx.
-class Phalanges : public Chain<Capsule> {
+class Phalanges : public UnionOfPieces<Capsule> {
  public:
   Phalanges(const std::vector<Vec3>& joints, const std::array<double, 4>& radii) {
     for (std::size_t i = 0; i + 1 < joints.size(); ++i) {
@@ -165,29 +165,29 @@ struct FingerEnd {
   Vec3 along() const { return (tip - joint).normalized(); }
 };
 
-FingerEnd endOf(const std::vector<Vec3>& joints, const Vec3& back, double radius) {
+FingerEnd makeFingerEnd(const std::vector<Vec3>& joints, const Vec3& back, double radius) {
   FingerEnd end{joints[joints.size() - 2], joints.back(), {}, kSkinFactor * radius};
   end.back = (back - back.dot(end.along()) * end.along()).normalized();
   return end;
 }
 
 std::vector<FingerEnd> fingerEnds() {
-  std::vector<FingerEnd> ends = {endOf(kPalpatingThumb, kThumbBack, kPalpatingThumbRadii[3])};
+  std::vector<FingerEnd> ends = {makeFingerEnd(kPalpatingThumb, kThumbBack, kPalpatingThumbRadii[3])};
   for (const FingerRow& finger : kPalpatingFingers) {
-    ends.push_back(endOf(jointsOf(finger), Vec3::UnitZ(), finger.radii[3]));
+    ends.push_back(makeFingerEnd(jointsOf(finger), Vec3::UnitZ(), finger.radii[3]));
   }
   return ends;
 }
 
 /// The flesh under the last joint, which makes a pad of a tube's end.
-EllipticCapsule pulpOf(const FingerEnd& end) {
+EllipticCapsule makePulp(const FingerEnd& end) {
   const Vec3 sunk = -0.22 * end.radius * end.back;
   const HalfAxes axes{0.98 * end.radius, 0.95 * end.radius};
   return {mix3(end.joint, end.tip, 0.45) + sunk, mix3(end.joint, end.tip, 0.95) + sunk, end.back.cross(end.along()),
           axes};
 }
 
-Nail nailOf(const FingerEnd& end) {
+Nail makeNail(const FingerEnd& end) {
   Nail nail;
   nail.centre = end.tip - 0.5 * end.along() + 0.80 * end.radius * end.back;
   nail.along = 0.90 * end.radius * end.along();
@@ -216,7 +216,7 @@ struct PalpatingParts {
                                HalfAxes{12.4, 11.5});
       tendons.push_back({Vec3(0.3 * finger.knuckle.x(), 8.0, 13.0), finger.knuckle + Vec3(0, -6, 8.5), 2.6, 3.4});
     }
-    for (const FingerEnd& finger_end : fingerEnds()) pulps.push_back(pulpOf(finger_end));
+    for (const FingerEnd& finger_end : fingerEnds()) pulps.push_back(makePulp(finger_end));
     addForearm();
   }
 
@@ -300,7 +300,7 @@ PalpatingHand rightPalpatingHand() {
   const std::vector<RedPlace> red = redPlaces();
   for (const Vec3& p : hand.mesh.positions) hand.redness.push_back(rednessAt(red, p));
   const std::vector<FingerEnd> ends = fingerEnds();
-  for (std::size_t i = 0; i < hand.nails.size(); ++i) hand.nails[i] = nailOf(ends[i]);
+  for (std::size_t i = 0; i < hand.nails.size(); ++i) hand.nails[i] = makeNail(ends[i]);
   const FingerEnd& index = ends[1];
   hand.pad = mix3(index.joint, index.tip, 0.8) - 0.3 * index.radius * index.back;
   hand.pad_along = index.along();

@@ -244,7 +244,7 @@ struct Plan {
 /// Deviation of the border's edges from the cell size: 0 is equal, positive is too many of them.
 double borderExcess(double border, double border_length, double cell) { return border * cell / border_length - 1; }
 
-double excessOf(const Lattice& lattice, std::size_t triangles, double border_length) {
+double latticeExcess(const Lattice& lattice, std::size_t triangles, double border_length) {
   const double inner = static_cast<double>(latticeTriangles(lattice) + latticeRimLength(lattice));
   return borderExcess(static_cast<double>(triangles) - inner, border_length, lattice.cell);
 }
@@ -257,7 +257,7 @@ Plan searchPlan(const FlatOutline& outline, std::size_t triangles, double area, 
   double best_cell = guess;
   double best = std::numeric_limits<double>::infinity();
   const auto consider = [&](double cell) {
-    const double excess = excessOf(fitLattice(outline, cell), triangles, border_length);
+    const double excess = latticeExcess(fitLattice(outline, cell), triangles, border_length);
     if (std::abs(excess) < best) best = std::abs(excess), best_cell = cell;
     return excess;
   };

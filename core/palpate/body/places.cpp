@@ -49,7 +49,7 @@ struct Direction {
   std::string_view as_written;
 };
 constexpr std::array<std::string_view, 4> kAsWritten = {"right", "left", "up", "down"};
-std::optional<Direction> directionOf(std::string_view word) {
+std::optional<Direction> parseDirection(std::string_view word) {
   const std::array<Direction, 6> all = {{{"right", {1, 0}, kAsWritten[0]},
                                          {"left", {-1, 0}, kAsWritten[1]},
                                          {"up", {0, 1}, kAsWritten[2]},
@@ -61,7 +61,7 @@ std::optional<Direction> directionOf(std::string_view word) {
 }
 
 /// "30" or "30mm"; empty for another word.
-std::optional<double> distanceOf(std::string_view word) {
+std::optional<double> parseDistance(std::string_view word) {
   if (word.ends_with("mm")) word.remove_suffix(2);
   return word.empty() ? std::nullopt : parseNumber(word);
 }
@@ -82,8 +82,8 @@ std::string millimetres(double value) {
 Moved withoutDistances(const Words& words) {
   Moved moved;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const auto direction = directionOf(words[i]);
-    const auto distance = direction && i + 1 < words.size() ? distanceOf(words[i + 1]) : std::nullopt;
+    const auto direction = parseDirection(words[i]);
+    const auto distance = direction && i + 1 < words.size() ? parseDistance(words[i + 1]) : std::nullopt;
     // "rib 7" has a number too, but no direction before it; "left 7 rib" would be a riddle.
     if (!distance) {
       moved.name.push_back(words[i]);
@@ -129,7 +129,7 @@ std::optional<Words> withDirections(Words words) {
   static const std::vector<std::string> directions = {"right", "left", "up", "down", "cranial", "caudal"};
   bool mended = false;
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    if (!distanceOf(words[i + 1]) || words[i].size() < 2) continue;
+    if (!parseDistance(words[i + 1]) || words[i].size() < 2) continue;
     const std::string meant = nearestName(words[i], directions);
     if (meant.empty() || meant == words[i]) continue;
     words[i] = meant;
@@ -245,7 +245,7 @@ std::vector<std::string> placeNames(std::span<const SkinLandmark> landmarks) {
   return names;
 }
 
-std::string inWords(std::span<const SkinLandmark> landmarks, const Vec3& point) {
+std::string describePlace(std::span<const SkinLandmark> landmarks, const Vec3& point) {
   constexpr double kAtMm = 4;  // nearer than a finger's pad is there
   const SkinLandmark* nearest = nearestTo(landmarks, point);
   if (nearest == nullptr) return {};
@@ -262,7 +262,7 @@ std::string inWords(std::span<const SkinLandmark> landmarks, const Vec3& point) 
   return words;
 }
 
-std::string placeWords(std::span<const SkinLandmark> landmarks, const Vec2& place) {
+std::string makePlaceName(std::span<const SkinLandmark> landmarks, const Vec2& place) {
   if (landmarks.empty()) return {};
   const SkinLandmark* nearest = nearestTo(landmarks, Vec3(place.x(), place.y(), backLevel(landmarks, place.y())));
   std::string words = spokenName(nearest->name);

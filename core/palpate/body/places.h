@@ -40,10 +40,14 @@ std::vector<std::string> placeNames(std::span<const SkinLandmark> landmarks);
 
 /// "T6", "T6, 12 mm right and 8 mm up", "left PSIS": the point from the landmark that an examiner would start from.
 /// Empty without landmarks.
-std::string inWords(std::span<const SkinLandmark> landmarks, const Vec3& point);
+std::string describePlace(std::span<const SkinLandmark> landmarks, const Vec3& point);
+[[deprecated("describePlace, which this was until 0.3")]] inline std::string inWords(
+    std::span<const SkinLandmark> landmarks, const Vec3& point) {
+  return describePlace(landmarks, point);
+}
 
 /// "T9 right 32 mm", to the whole millimetre: a place of the map plane as a name for placeNamed. On a closed body one
 /// that is seen from behind. Empty without landmarks.
-std::string placeWords(std::span<const SkinLandmark> landmarks, const Vec2& place);
+std::string makePlaceName(std::span<const SkinLandmark> landmarks, const Vec2& place);
 
 }  // namespace palpate::body

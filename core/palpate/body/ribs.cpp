@@ -52,11 +52,11 @@ constexpr double kSmoothing =
 constexpr double kRollFrom = 0.16;   // share of the length where the face starts to roll,
 constexpr double kRollUntil = 0.42;  // and where it has done so
 
-const VertebraRow& vertebraOf(int number) { return spineRows()[number - 1]; }
+const VertebraRow& vertebraRow(int number) { return spineRows()[number - 1]; }
 
 // The contact of the head: between two bodies for ribs 2-9, on the side of one for the others.
 Vec3 headPoint(int number) {
-  const VertebraRow& v = vertebraOf(number);
+  const VertebraRow& v = vertebraRow(number);
   double lateral = 3.6;
   double dorsal = 0.72;
   double up = v.height / 2 + 1.0;
@@ -70,7 +70,7 @@ Vec3 headPoint(int number) {
 
 // The tubercle is in front of the transverse process, clear of it.
 Vec3 tuberclePoint(int number, const RibRow& row) {
-  const VertebraRow& v = vertebraOf(number);
+  const VertebraRow& v = vertebraRow(number);
   const double ventral = v.transverse_radius + row.thickness / 2 + kTubercleGap[number - 1];
   return vertebraFrame(v) * (transverseTip(v) + Vec3(2.0, 1.5, -ventral));
 }
@@ -124,7 +124,7 @@ SectionStop sectionAt(double share) {
   return {share, mix(before.height, next->height, t), mix(before.thickness, next->thickness, t)};
 }
 
-std::vector<Station> stationsOf(int number, const RibRow& row, double edge_mm) {
+std::vector<Station> ribStations(int number, const RibRow& row, double edge_mm) {
   const CubicSpline spline(controlPoints(number, row));
   const auto count = static_cast<std::size_t>(std::ceil(spline.length() / edge_mm)) + 1;
   std::vector<Vec3> line = spline.evenly(count);
@@ -151,10 +151,10 @@ std::vector<Station> stationsOf(int number, const RibRow& row, double edge_mm) {
 std::span<const RibRow, kRibCount> ribRows() { return kRibRows; }
 
 mesh::TriangleMesh makeRightRib(int number, const RibRow& row, double edge_mm, SweptEnd anterior) {
-  return sweepEllipse(stationsOf(number, row, edge_mm), cornersOf(row.height, row.thickness, edge_mm), {}, anterior);
+  return sweepEllipse(ribStations(number, row, edge_mm), cornersOf(row.height, row.thickness, edge_mm), {}, anterior);
 }
 
-Station rightRibEnd(int number, const RibRow& row, double edge_mm) { return stationsOf(number, row, edge_mm).back(); }
+Station rightRibEnd(int number, const RibRow& row, double edge_mm) { return ribStations(number, row, edge_mm).back(); }
 
 Vec3 rightRibAngle(int number, const RibRow& row) {
   return anglePoint(number, row) + Vec3(0.0, 0.0, row.thickness / 2);

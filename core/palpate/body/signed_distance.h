@@ -148,7 +148,7 @@ double nearestDistance(const std::vector<Piece>& pieces, const Vec3& p) {
 
 /// The union of pieces: the nearest one counts.
 template <class Piece>
-class Chain {
+class UnionOfPieces {
  public:
   double distance(const Vec3& p) const { return nearestDistance(pieces_, p); }
 
@@ -158,7 +158,7 @@ class Chain {
 
 /// A tube along a spline whose radius changes smoothly (the rims of the scapula): a chain of capsules, joined by the
 /// plain minimum, because a smooth union would bulge at every joint.
-class Tube : public Chain<Capsule> {
+class Tube : public UnionOfPieces<Capsule> {
  public:
   /// `radii` are spread evenly over the points' parameter and joined linearly; at least two.
   Tube(const std::vector<Vec3>& points, const std::vector<double>& radii, std::size_t pieces) {
@@ -183,7 +183,7 @@ struct FlatRing {
 
 /// The same with flat sections; Piece is PlateCapsule or EllipticCapsule. Sections change linearly from ring to ring.
 template <class Piece>
-class FlatTube : public Chain<Piece> {
+class FlatTube : public UnionOfPieces<Piece> {
  public:
   FlatTube(const std::vector<FlatRing>& rings, std::size_t pieces_per_ring) {
     std::vector<Vec3> points;

@@ -167,7 +167,8 @@ class Lattice {
     Index& vertex = vertex_on_edge_[8 * (base + cornerOffset(a)) + static_cast<std::size_t>(b - a)];
     if (vertex == kNoIndex) {
       vertex = static_cast<Index>(mesh_.positions.size());
-      mesh_.positions.push_back(crossing(position(cornerOf(cell, a)), position(cornerOf(cell, b)), value[a], value[b]));
+      mesh_.positions.push_back(
+          crossing(position(cellCorner(cell, a)), position(cellCorner(cell, b)), value[a], value[b]));
     }
     return vertex;
   }
@@ -183,14 +184,14 @@ class Lattice {
 
   double valueAt(std::size_t base, const Point& cell, int corner) {
     double& value = values_[base + cornerOffset(corner)];
-    if (std::isnan(value)) value = field_(position(cornerOf(cell, corner)));
+    if (std::isnan(value)) value = field_(position(cellCorner(cell, corner)));
     return value;
   }
 
-  static Point cornerOf(const Point& cell, int corner) {
+  static Point cellCorner(const Point& cell, int corner) {
     return cell + Point(corner & 1, (corner >> 1) & 1, (corner >> 2) & 1);
   }
-  std::size_t cornerOffset(int corner) const { return index(cornerOf(Point::Zero(), corner)); }
+  std::size_t cornerOffset(int corner) const { return index(cellCorner(Point::Zero(), corner)); }
   std::size_t index(const Point& p) const { return flatIndex(p, points_); }
   static std::size_t flatIndex(const Point& p, const Point& size) {
     const auto wide = p.cast<std::size_t>();

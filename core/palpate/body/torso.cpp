@@ -61,7 +61,7 @@ void setDepths(Torso& body) {
 }
 
 /// Without depths.
-Torso bodyOf(const SkinSettings& skin, SkinExtent extent, std::size_t skin_triangles, std::size_t bone_triangles) {
+Torso makeBody(const SkinSettings& skin, SkinExtent extent, std::size_t skin_triangles, std::size_t bone_triangles) {
   BonesSettings bones;  // at 1750 mm and symmetric: the relief is computed there, before both are shaped alike
   bones.triangles = bone_triangles;
   Torso body;
@@ -78,7 +78,7 @@ Torso bodyOf(const SkinSettings& skin, SkinExtent extent, std::size_t skin_trian
 }
 
 /// Leaves out the bones whose middle is below this height, and the landmarks named after them.
-void keepBonesAbove(double y, Torso& body) {
+void removeBonesBelow(double y, Torso& body) {
   std::erase_if(body.bones, [&](const Bone& bone) { return mesh::boundingBox(bone.mesh).center().y() < y; });
   const auto is_gone = [&](const SkinLandmark& landmark) {
     return std::ranges::find(body.bones, landmark.bone, &Bone::name) == body.bones.end();
@@ -113,7 +113,7 @@ void setInside(const mesh::TriangleMesh& skin, double scale, Torso& body) {
 
 Torso makeTorso(const TorsoSettings& settings) {
   const std::size_t bone_triangles = boneTriangles(settings);
-  Torso torso = bodyOf(settings.shape, SkinExtent::torso, settings.triangles - bone_triangles, bone_triangles);
+  Torso torso = makeBody(settings.shape, SkinExtent::torso, settings.triangles - bone_triangles, bone_triangles);
   setDepths(torso);
   return torso;
 }
@@ -123,8 +123,8 @@ Torso makeBackOverBones(const BackSettings& settings) {
   const auto as_fine =
       static_cast<std::size_t>(kBoneShare / (1.0 - kBoneShare) * static_cast<double>(settings.triangles));
   const std::size_t bone_triangles = std::clamp<std::size_t>(as_fine / 2 * 2, kReliefBoneTriangles, kMaxBoneTriangles);
-  Torso back = bodyOf(settings.shape, SkinExtent::patch, settings.triangles, bone_triangles);
-  keepBonesAbove(mesh::boundingBox(back.skin.mesh).min().y(), back);
+  Torso back = makeBody(settings.shape, SkinExtent::patch, settings.triangles, bone_triangles);
+  removeBonesBelow(mesh::boundingBox(back.skin.mesh).min().y(), back);
   setInside(back.skin.mesh, settings.shape.stature_mm / 1750.0, back);
   setDepths(back);
   return back;

@@ -40,8 +40,8 @@ GripLimits gripLimits(const FingerSettings& settings, const tissue::Response& ti
 }
 
 /// The most that the force grows with the depth here, N/mm: the chord's slope or the tangent's.
-double tangentOf(const Surface& surface, const SkinHere& here, double depth_mm, const tissue::PressedPlace& place,
-                 const tissue::Response& tissue) {
+double maxForceSlope(const Surface& surface, const SkinHere& here, double depth_mm, const tissue::PressedPlace& place,
+                     const tissue::Response& tissue) {
   if (surface.force_law.kind == tissue::ForceLaw::Kind::linear) return here.stiffness_n_per_mm;
   return std::max(tissue.secant_n_per_mm,
                   tissue::tangentStiffness(surface.force_law, here.stiffness_n_per_mm, depth_mm, place));
@@ -133,7 +133,7 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
   const SkinHere here = skinAt(surface, state.proxy);
   const tissue::PressedPlace place{here.tissue_mm, settings.radius_mm};
   tissue::Response tissue = tissue::respond(surface.force_law, here.stiffness_n_per_mm, press.felt_depth_mm, place);
-  double most_n = most_mm * tangentOf(surface, here, press.felt_depth_mm, place, tissue);
+  double most_n = most_mm * maxForceSlope(surface, here, press.felt_depth_mm, place, tissue);
   double rest_mm = 0.0;
   double share = 1.0;
   if (settings.relaxation.on()) {

@@ -22,7 +22,7 @@ void gatherFor(const SkinPlanes& planes, double radius_mm, const Vec3& place, co
     --near.rest_ticks;
     return;
   }
-  near.margin_mm = std::min(std::max(near.margin_mm, worthyMargin(1, step_mm)), radius_mm);
+  near.margin_mm = std::min(std::max(near.margin_mm, profitableMargin(1, step_mm)), radius_mm);
   const Vec3 middle = place + gatheredAhead(motion, near.margin_mm);
   if (gatherSkin(planes, middle, radius_mm + near.margin_mm, near.skin)) {
     near.margin_mm = adaptedMargin(near.skin, near.margin_mm);

@@ -36,7 +36,7 @@ struct Patch {
   Vec3 normalAt(double v, double w) const { return normal + v * normal_v + w * normal_w; }
 };
 
-Patch patchOf(const Surface& surface, const tree::TriangleRecord& record) {
+Patch makePatch(const Surface& surface, const tree::TriangleRecord& record) {
   const auto& [a, b, c] = record.corners;
   const Vec3& na = surface.geometry->vertex_normals[record.vertices[0]];
   const Vec3& nb = surface.geometry->vertex_normals[record.vertices[1]];
@@ -85,7 +85,7 @@ std::optional<ShadedProxy> shadedProxy(const Surface& surface, const SurfacePoin
   Index triangle = proxy.triangle;
   for (int hop = 0; hop < kMaxHops; ++hop) {
     const tree::TriangleRecord& record = surface.geometry->tree.records[triangle];
-    const Patch patch = patchOf(surface, record);
+    const Patch patch = makePatch(surface, record);
     const Solution x = solve(patch, tip);
     if (!std::isfinite(x.v + x.w + x.s)) return std::nullopt;
     const int edge = violatedEdge(x);

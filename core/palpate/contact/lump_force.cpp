@@ -50,7 +50,7 @@ struct Pull {
   double slope_n_per_mm = 0.0;
 };
 
-Pull pullOf(const Lump& lump, const Vec2& moved_mm, std::span<const LumpPress> presses) noexcept {
+Pull computePull(const Lump& lump, const Vec2& moved_mm, std::span<const LumpPress> presses) noexcept {
   Pull pull;
   for (const LumpPress& press : presses) {
     if (!(press.share > 0.0)) continue;
@@ -70,7 +70,7 @@ Vec2 stepped(const Lump& lump, const Vec2& from, std::span<const LumpPress> pres
   constexpr double kLongestStepMm = 0.5;
   constexpr double kMinDrag = 10.0;  // over a tick, times the steepest slope: the step then lowers the energy
   const LumpMobility& mobility = lump.mobility;
-  const Pull pull = pullOf(lump, from, presses);
+  const Pull pull = computePull(lump, from, presses);
   const Vec2 gradient = pull.gradient + mobility.spring_n_per_mm * from;
   const double size = gradient.norm();
   if (!(size > mobility.friction_n)) return from;

@@ -89,7 +89,7 @@ struct FacingPart {
   float spread;          // sine of the widest angle between it and a normal; 2: any
 };
 
-FacingPart facingPartOf(const tree::WideNode& node, int child, float widened) {
+FacingPart makeFacingPart(const tree::WideNode& node, int child, float widened) {
   FacingPart part;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     part.low[axis] = node.low[axis][child] - widened;
@@ -127,7 +127,7 @@ bool mayFaceOther(const tree::TriangleTree& tree, const FacingPart& leaf) {
   for (int size = 1; size > 0;) {
     const tree::WideNode& node = tree.nodes[stack[--size]];
     for (int child = 0; child < tree::kNodeWidth; ++child) {
-      if (!overlap(leaf, node, child) || !mayFace(leaf, facingPartOf(node, child, 0.0f))) continue;
+      if (!overlap(leaf, node, child) || !mayFace(leaf, makeFacingPart(node, child, 0.0f))) continue;
       if (node.children[child].isLeaf()) return true;
       stack[size++] = node.children[child].node();
     }
@@ -179,7 +179,7 @@ class CrackSearch {
         for (int child = 0; child < tree::kNodeWidth; ++child) {
           const bool is_used = node.low[0][child] <= node.high[0][child];
           const tree::ChildLink leaf = node.children[child];
-          if (!is_used || !leaf.isLeaf() || !mayFaceOther(tree_, facingPartOf(node, child, widened))) continue;
+          if (!is_used || !leaf.isLeaf() || !mayFaceOther(tree_, makeFacingPart(node, child, widened))) continue;
           for (Index t = leaf.firstTriangle(); t < leaf.firstTriangle() + leaf.triangleCount(); ++t) {
             faced[t] = facedFrom(tree_, width_, t, centreOf(tree_.records[t]));
           }

@@ -149,7 +149,7 @@ void setPlanes(const std::array<Vec3, 3>& at, SkinBlock& block, std::size_t lane
 }
 
 /// The records of a block.
-std::span<const tree::TriangleRecord> recordsOf(const tree::TriangleTree& tree, std::size_t block) {
+std::span<const tree::TriangleRecord> blockRecords(const tree::TriangleTree& tree, std::size_t block) {
   const std::size_t first = block * kSkinLanes;
   return std::span(tree.records).subspan(first, std::min<std::size_t>(kSkinLanes, tree.records.size() - first));
 }
@@ -173,7 +173,7 @@ Extent extentAlong(std::span<const tree::TriangleRecord> records, const Vec3& mi
 }
 
 /// How the triangles face on the whole, a unit vector.
-Vec3 facingOf(std::span<const tree::TriangleRecord> records) {
+Vec3 meanNormal(std::span<const tree::TriangleRecord> records) {
   Vec3 sum = Vec3::Zero();
   for (const tree::TriangleRecord& r : records) sum += mesh::areaVector2(r.corners[0], r.corners[1], r.corners[2]);
   sum.stableNormalize();
@@ -184,7 +184,7 @@ Vec3 facingOf(std::span<const tree::TriangleRecord> records) {
 void setBox(std::span<const tree::TriangleRecord> records, SkinBlock& block) {
   // Within a right angle; a box turned by a right angle is the same.
   constexpr std::array<std::array<double, 2>, 6> kTurns = {{{1, 0}, {3, 1}, {2, 1}, {1, 1}, {1, 2}, {1, 3}}};
-  const Vec3 facing = facingOf(records);
+  const Vec3 facing = meanNormal(records);
   const Vec3 across = facing.unitOrthogonal();
   const Vec3 along = facing.cross(across);
   double smallest = std::numeric_limits<double>::infinity();
@@ -291,7 +291,7 @@ constexpr double kShrink = 0.75;
 constexpr double kGatheringCost = 8.0;
 
 /// The leaf that holds the record: the last that does not begin after it.
-const SkinBranch& leafOf(const NearbySkin& skin, Index record) {
+const SkinBranch& findLeaf(const NearbySkin& skin, Index record) {
   const auto* end = skin.leaves.data() + skin.leaf_count;
   return *(std::upper_bound(skin.leaves.data() + 1, end, record,
                             [](Index wanted, const SkinBranch& leaf) { return wanted < leaf.node; }) -
@@ -304,7 +304,7 @@ std::shared_ptr<const SkinPlanes> planesOf(std::shared_ptr<const SurfaceGeometry
   auto planes = std::make_shared<SkinPlanes>();
   const tree::TriangleTree& tree = geometry->tree;
   planes->blocks.resize((tree.records.size() + kSkinLanes - 1) / kSkinLanes);
-  for (std::size_t b = 0; b < planes->blocks.size(); ++b) fillBlock(recordsOf(tree, b), planes->blocks[b]);
+  for (std::size_t b = 0; b < planes->blocks.size(); ++b) fillBlock(blockRecords(tree, b), planes->blocks[b]);
   planes->geometry = std::move(geometry);
   return planes;
 }
@@ -331,7 +331,7 @@ bool gatherSkin(const SkinPlanes& planes, const Vec3& middle, double reach, Near
   return true;
 }
 
-double worthyMargin(std::size_t pads, double step_mm) noexcept {
+double profitableMargin(std::size_t pads, double step_mm) noexcept {
   // What is left of the margin must hold for the next tick, too.
   const double ticks = kGatheringCost / static_cast<double>(pads) + 2.0;
   return ticks * step_mm / (1.0 + kShareAhead);
@@ -357,8 +357,8 @@ bool listNearer(const NearbySkin* skin, const Vec3& point, double reach, SkinLis
 }
 
 bool visitedBefore(const NearbySkin& skin, const tree::PointQuery& query, Index one, Index other) noexcept {
-  const SkinBranch* a = &leafOf(skin, one);
-  const SkinBranch* b = &leafOf(skin, other);
+  const SkinBranch* a = &findLeaf(skin, one);
+  const SkinBranch* b = &findLeaf(skin, other);
   if (a == b) return one < other;
   while (a->level > b->level) a = &skin.nodes[a->parent];
   while (b->level > a->level) b = &skin.nodes[b->parent];

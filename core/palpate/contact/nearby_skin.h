@@ -87,7 +87,7 @@ bool gatherSkin(const SkinPlanes& planes, const Vec3& middle, double reach, Near
 // How much farther than it must the skin is gathered: a moving finger's margin lasts for some ticks.
 
 /// The margin, mm, that makes gathering worth its while for so many pads that go so far in a tick.
-double worthyMargin(std::size_t pads, double step_mm) noexcept;
+double profitableMargin(std::size_t pads, double step_mm) noexcept;
 /// Adapted to the skin that was met.
 double adaptedMargin(const NearbySkin& gathered, double margin_mm) noexcept;
 /// From where they are to the middle of what is gathered for pads that move so in a tick.

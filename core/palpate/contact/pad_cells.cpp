@@ -24,8 +24,8 @@ namespace palpate::contact {
 
 /// Where the cells of a pad are, by its side; r is that of rows above the middle and of the middle one.
 struct alignas(64) PadGrid {
-  std::array<double, PadCells::kMostAcross> x;
-  std::array<double, PadCells::kMostAcross * PadCells::kMostAcross / 2> r, inverse_r;
+  std::array<double, PadCells::kMaxAcross> x;
+  std::array<double, PadCells::kMaxAcross * PadCells::kMaxAcross / 2> r, inverse_r;
 };
 
 /// Of a bump; 1 + s^2 / w^2 on the circle is circle + swing x cosine.
@@ -167,7 +167,7 @@ PadCover cover(const PadGrid& grid, const PadContact& contact, PadCells& cells) 
 }
 
 /// (1 + s^2 / w^2)^(-5/2)
-HWY_INLINE V kernelOf(V wide) {
+HWY_INLINE V kernelValue(V wide) {
   const V root = rootInverse<2>(wide);
   const V square = hn::Mul(root, root);
   return hn::Mul(hn::Mul(square, square), root);
@@ -176,7 +176,7 @@ HWY_INLINE V kernelOf(V wide) {
 PadKernel makeKernel(const KernelShape& shape, PadCells& cells) {
   Sums sums, circle;
   // 1 + s^2 / w^2 is a sum of what the column gives and what the row gives.
-  alignas(64) std::array<double, PadCells::kMostAcross> across, down;
+  alignas(64) std::array<double, PadCells::kMaxAcross> across, down;
   const V per_width2 = all(shape.per_width2);
   overColumns(cells, [&](std::size_t column, std::size_t) HWY_ATTR {
     const V x = load(cells.x + column);
@@ -186,13 +186,13 @@ PadKernel makeKernel(const KernelShape& shape, PadCells& cells) {
   });
   double* const made = cells.kernels[cells.kernel_count].data();
   overRows(cells, [&](std::size_t cell, std::size_t column, std::size_t lane, std::size_t row) HWY_ATTR {
-    const V kernel = kernelOf(hn::Add(load(across.data() + column), all(down[row])));
+    const V kernel = kernelValue(hn::Add(load(across.data() + column), all(down[row])));
     hn::Store(kernel, D(), made + cell);
     sums.add(lane, hn::Mul(load(cells.plain.data() + cell), kernel));
   });
   for (std::size_t arc = 0; arc < shape.arcs; arc += hn::MaxLanes(D())) {
     const V wide = hn::Add(all(shape.circle), hn::Mul(all(shape.swing), load(shape.cosines + arc)));
-    circle.add(arc % PadCells::kLanes, kernelOf(wide));
+    circle.add(arc % PadCells::kLanes, kernelValue(wide));
   }
   return {sums.sum(), circle.sum() * shape.per_arc};
 }
@@ -295,14 +295,14 @@ HWY_EXPORT(sumRows);
 
 namespace {
 
-std::size_t acrossOf(std::size_t side) noexcept {
-  return side <= PadCells::kLanes ? PadCells::kLanes : PadCells::kMostAcross;
+std::size_t paddedWidth(std::size_t side) noexcept {
+  return side <= PadCells::kLanes ? PadCells::kLanes : PadCells::kMaxAcross;
 }
 
-PadGrid gridOf(std::size_t side) {
+PadGrid makeGrid(std::size_t side) {
   constexpr double kFar = 1e6;  // columns beyond the pad: no contact covers them
   PadGrid grid{};
-  const std::size_t across = acrossOf(side);
+  const std::size_t across = paddedWidth(side);
   for (std::size_t i = 0; i < across; ++i) {
     grid.x[i] = i < side ? static_cast<double>(i) + 0.5 - 0.5 * static_cast<double>(side) : kFar;
   }
@@ -315,9 +315,9 @@ PadGrid gridOf(std::size_t side) {
 }
 
 struct PadGrids {
-  std::array<PadGrid, PadCells::kMostAcross - kMinSide + 1> of;
+  std::array<PadGrid, PadCells::kMaxAcross - kMinSide + 1> of;
   PadGrids() {
-    for (std::size_t i = 0; i < of.size(); ++i) of[i] = gridOf(kMinSide + i);
+    for (std::size_t i = 0; i < of.size(); ++i) of[i] = makeGrid(kMinSide + i);
   }
 };
 
@@ -341,7 +341,7 @@ PadCover coverCells(std::size_t side, const PadContact& contact, PadCells& cells
   const PadGrid& grid = kGrids.of[side - kMinSide];
   cells.x = grid.x.data();
   cells.side = side;
-  cells.across = acrossOf(side);
+  cells.across = paddedWidth(side);
   const double rim = contact.radius + 0.5;
   cells.first = 0;
   while (2 * (cells.first + 1) < side && -cells.x[cells.first] >= rim) ++cells.first;
@@ -369,7 +369,7 @@ PadKernel makeKernel(double foot_x, double foot_y, double width, double circle, 
   return HWY_DYNAMIC_DISPATCH(makeKernel)(shape, cells);
 }
 
-void keepKernel(double strength, PadCells& cells) noexcept { cells.strengths[cells.kernel_count++] = strength; }
+void commitKernel(double strength, PadCells& cells) noexcept { cells.strengths[cells.kernel_count++] = strength; }
 
 PadMoments momentsOf(const PadCells& cells) noexcept { return HWY_DYNAMIC_DISPATCH(moments)(cells); }
 

@@ -11,10 +11,10 @@ namespace palpate::contact {
 /// Rows of 8 or 16 columns, of which the last may be beyond the pad; whole rows are looked at, from `first` to `last`
 /// (half open), which are those that the contact reaches.
 struct alignas(64) PadCells {
-  static constexpr std::size_t kMostAcross = 16;
+  static constexpr std::size_t kMaxAcross = 16;
   static constexpr std::size_t kLanes = 8;
   static constexpr std::size_t kKernels = 8;
-  using Values = std::array<double, kMostAcross * kMostAcross>;
+  using Values = std::array<double, kMaxAcross * kMaxAcross>;
 
   Values plain;   ///< what a cell has of the force without lumps, to no scale; 0 where the contact does not cover it
   Values lever;   ///< 1 / sqrt(R^2 - r^2): times x and y it is lateral over normal force
@@ -61,7 +61,7 @@ struct PadKernel {
 /// K into the kernel after those that count, and its mean over a circle of that radius, as tissue::bumpBase has it.
 PadKernel makeKernel(double foot_x, double foot_y, double width, double circle, PadCells& cells) noexcept;
 /// Lets the kernel that was made last count: strength x K of the plain force.
-void keepKernel(double strength, PadCells& cells) noexcept;
+void commitKernel(double strength, PadCells& cells) noexcept;
 
 /// What forces add up to, and their moments about the middle of the finger over its radius.
 struct PadMoments {

@@ -22,13 +22,13 @@ constexpr std::size_t kMinCells = 8;
 constexpr double kKpaMm2PerN = 1000.0;
 
 /// Cells along the side of a taxel.
-std::size_t splitOf(const PressurePad& pad) noexcept { return (kMinCells + pad.taxels - 1) / pad.taxels; }
+std::size_t cellsPerTaxel(const PressurePad& pad) noexcept { return (kMinCells + pad.taxels - 1) / pad.taxels; }
 
 /// The cells that a contact of this pattern covers.
 PadCover coverPad(const PressurePad& pad, const tissue::PressurePattern& pattern, double finger_mm, PadCells& cells) {
   // A touch that is smaller than the cells lies on the middle ones.
   constexpr double kMinContact = 1.1;
-  const std::size_t side = pad.taxels * splitOf(pad);
+  const std::size_t side = pad.taxels * cellsPerTaxel(pad);
   const double per_mm = static_cast<double>(side) / pad.size_mm;
   const PadContact contact{std::max(per_mm * pattern.contact_radius_mm, kMinContact), per_mm * finger_mm,
                            pattern.exponent};
@@ -51,7 +51,7 @@ double addBump(const Bump& bump, double circle, double plain, double per_n, PadC
   const double carried = kernel.sum - base * plain;
   if (!(carried > kFlat * kernel.sum)) return 0.0;  // the last scaling spreads its force evenly
   const double strength = bump.extra_n * per_n / carried;
-  keepKernel(strength, cells);
+  commitKernel(strength, cells);
   return -strength * base;
 }
 
@@ -97,7 +97,7 @@ void tilt(const Vec2& target, PadCells& cells) {
 /// Makes the raised forces, all >= 0 and with these moments, forces that add up to `normal_n` and whose moments are
 /// minus the lateral force: by a share of the plain pattern that grows along the pad, and where that would pull on the
 /// skin by a tilt.
-PadSums keepSums(const PadMoments& raised, double slope, double normal_n, const Vec2& lateral_n, PadCells& cells) {
+PadSums balanceForces(const PadMoments& raised, double slope, double normal_n, const Vec2& lateral_n, PadCells& cells) {
   const double factor = raised.normal > 0.0 ? normal_n / raised.normal : 0.0;
   const double per_slope = slope > 0.0 ? 1.0 / slope : 0.0;
   const double gain_u = (-lateral_n.x() - factor * raised.u) * per_slope;
@@ -112,7 +112,7 @@ PadSums keepSums(const PadMoments& raised, double slope, double normal_n, const 
 }
 
 /// Where the lump's foot is in the pad's plane.
-Vec2 footOf(const Lump& lump, const Vec2& moved_mm, const FingerOutput& felt, const PadPlane& plane) {
+Vec2 footInPad(const Lump& lump, const Vec2& moved_mm, const FingerOutput& felt, const PadPlane& plane) {
   const Vec3 from_tip = lump.foot + moved_mm.x() * lump.across + moved_mm.y() * lump.up - felt.tip;
   return {from_tip.dot(plane.u), from_tip.dot(plane.v)};
 }
@@ -161,7 +161,7 @@ PadMoments addBumps(const Lumps& lumps, const Pushes& pushes, const FingerOutput
   for (std::size_t i = 0; i < pushes.count; ++i) {
     if (!(std::abs(pushes.push[i]) > kUnfelt * normal_n)) continue;
     const Lump& lump = lumps.all[i];
-    const Bump bump{.foot = per_mm * footOf(lump, pushes.moved[i], felt, plane),
+    const Bump bump{.foot = per_mm * footInPad(lump, pushes.moved[i], felt, plane),
                     .width = per_mm * tissue::bumpWidth(lump.shape, lump.skin_mm, felt.depth_mm),
                     .extra_n = pushes.push[i]};
     level += addBump(bump, circle, plain, per_n, cells);
@@ -172,7 +172,7 @@ PadMoments addBumps(const Lumps& lumps, const Pushes& pushes, const FingerOutput
 /// A taxel is the sum of its cells, whose values stand for `kpa_each` where they are alone in it.
 void writeTaxels(const PadCells::Values& values, double kpa_each, const PadCells& cells, const PressurePad& pad,
                  std::span<double> kpa) {
-  const std::size_t split = splitOf(pad);
+  const std::size_t split = cellsPerTaxel(pad);
   alignas(64) PadCells::Values rows;
   sumRows(values, split, cells, rows);
   for (std::size_t row = 0; row < pad.taxels; ++row) {
@@ -241,7 +241,8 @@ PadSums pressureField(const PressureGround& ground, const Lumps* lumps, const Fi
     const double per_mm = static_cast<double>(cells.side) / pad.size_mm;
     const PadMoments raised = addBumps(*lumps, pushes, felt, plane, per_mm, 0.5 * per_mm * pattern.contact_radius_mm,
                                        cover.normal, plain_n, cells);
-    sums = keepSums(raised, cover.slope, normal_n, {felt.lump_force.dot(plane.u), felt.lump_force.dot(plane.v)}, cells);
+    sums = balanceForces(raised, cover.slope, normal_n, {felt.lump_force.dot(plane.u), felt.lump_force.dot(plane.v)},
+                         cells);
     writeTaxels(cells.force, kpa_per_n, cells, pad, kpa);
   } else {
     writeTaxels(cells.plain, kpa_per_n * (plain_n / cover.normal), cells, pad, kpa);

@@ -15,12 +15,12 @@ using Eased = std::array<double, 2>;
 /// mm: a shallower dent is gone. Without an end a finger would remember for ever.
 constexpr double kShallowest = 1e-6;
 
-double restOf(const Relaxation& relaxation, const Eased& eased) noexcept {
+double restDepth(const Relaxation& relaxation, const Eased& eased) noexcept {
   return relaxation.share * eased[0] + relaxation.share_2 * eased[1];
 }
 
 /// What is left of the way to what the skin holds, a term each, after a tick.
-Eased keptOf(const Relaxation& relaxation, double tick_s) noexcept {
+Eased decayFactors(const Relaxation& relaxation, double tick_s) noexcept {
   return {elementary::exp(-tick_s / relaxation.time_s), elementary::exp(-tick_s / relaxation.time_2_s)};
 }
 
@@ -29,7 +29,7 @@ void ease(const Eased& kept, double held_mm, Eased& eased) noexcept {
 }
 
 /// Of one tick ago, from where it is now: exactly so while the same was held.
-double changeOf(const Relaxation& relaxation, const Eased& kept, double held_mm, const Eased& eased) noexcept {
+double relaxationChange(const Relaxation& relaxation, const Eased& kept, double held_mm, const Eased& eased) noexcept {
   const auto moved = [&](std::size_t i) { return (1.0 / kept[i] - 1.0) * std::abs(held_mm - eased[i]); };
   return relaxation.share * moved(0) + relaxation.share_2 * moved(1);
 }
@@ -38,7 +38,7 @@ double changeOf(const Relaxation& relaxation, const Eased& kept, double held_mm,
 void easeDent(const Relaxation& relaxation, const Eased& kept, SkinMemory& memory) noexcept {
   if (!(memory.dent.rest_mm > 0.0)) return;
   ease(kept, memory.dent.rest_mm, memory.left_mm);
-  memory.dent.rest_mm = restOf(relaxation, memory.left_mm);
+  memory.dent.rest_mm = restDepth(relaxation, memory.left_mm);
   if (memory.dent.rest_mm > kShallowest) return;
   memory.left_mm = {};
   memory.dent = {};
@@ -61,13 +61,13 @@ bool isFresh(const Eased& under) noexcept { return under[0] == 0.0 && under[1] =
 Relaxed relaxed(const FingerSettings& settings, const tissue::Response& instant, double stiffness_n_per_mm,
                 const Vec3& place, SkinMemory& memory) noexcept {
   const Relaxation& relaxation = settings.relaxation;
-  const Eased kept = keptOf(relaxation, settings.tick_s);
+  const Eased kept = decayFactors(relaxation, settings.tick_s);
   if (isFresh(memory.under_mm)) land(place, memory);
   easeDent(relaxation, kept, memory);
   const double pressed_mm = stiffness_n_per_mm > 0.0 ? instant.force_n / stiffness_n_per_mm : 0.0;
-  Relaxed result{.rest_mm = restOf(relaxation, memory.under_mm), .tissue = instant};
+  Relaxed result{.rest_mm = restDepth(relaxation, memory.under_mm), .tissue = instant};
   const double held_mm = std::max(pressed_mm, result.rest_mm);
-  result.change_mm = changeOf(relaxation, kept, held_mm, memory.under_mm);
+  result.change_mm = relaxationChange(relaxation, kept, held_mm, memory.under_mm);
   // As a share, so that friction's lengths (felt_force.cpp) do not depend on time.
   const double taken = result.rest_mm > 0.0 ? result.rest_mm / pressed_mm : 0.0;
   result.share = std::max(0.0, 1.0 - taken);
@@ -83,10 +83,10 @@ void recover(const Surface& surface, const FingerSettings& settings, const Surfa
   if (!isFresh(memory.under_mm)) {
     memory.left_mm = memory.under_mm;
     memory.under_mm = {};
-    memory.dent = {left_at.position, restOf(relaxation, memory.left_mm),
+    memory.dent = {left_at.position, restDepth(relaxation, memory.left_mm),
                    left_at.triangle == kNoIndex ? kNoIndex : surface.geometry->tree.source_triangle[left_at.triangle]};
   }
-  easeDent(relaxation, keptOf(relaxation, settings.tick_s), memory);
+  easeDent(relaxation, decayFactors(relaxation, settings.tick_s), memory);
 }
 
 }  // namespace palpate::contact

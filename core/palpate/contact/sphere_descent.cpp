@@ -51,12 +51,12 @@ Vec3 withinPath(const SphereTask& task, const Vec3& place) {
 /// sheet goes on flat; otherwise the sphere would come back under it. Returns the place of the border then.
 std::optional<SurfacePoint> planFrom(const SphereTask& task, const Vec3& centre, const Feet& feet, HalfSpaces& planes) {
   planes.clear();
-  for (int i = 0; i < feet.count; ++i) planes.add(keepOff(feet.feet[i], task.radius));
+  for (int i = 0; i < feet.count; ++i) planes.add(offsetHalfSpace(feet.feet[i], task.radius));
   if (feet.count > 0) return {};
   const SurfacePoint below = walkToNearest(task.surface, task.last, centre, kUnbounded).at;
   Foot foot;
   if (!(beyondBorder(task.surface, below, centre) > 0.0) || !standsOn(task.surface, below, centre, foot)) return {};
-  planes.add(keepOff(foot, task.radius));
+  planes.add(offsetHalfSpace(foot, task.radius));
   return below;
 }
 
@@ -118,7 +118,7 @@ bool addObstacles(const SphereTask& task, const Vec3& from, const Vec3& to, Half
   bool any = false;
   for (int i = 0; i < feet.count; ++i) {
     if (feet.feet[i].height >= task.radius * (1.0 - kFit)) continue;
-    planes.add(keepOff(feet.feet[i], task.radius));
+    planes.add(offsetHalfSpace(feet.feet[i], task.radius));
     any = true;
   }
   return any;
@@ -136,7 +136,7 @@ bool followFeet(const SphereTask& task, const Vec3& place, const Feet& feet, Fee
     Foot& foot = followed.add() = feet.feet[i];
     if (!followFoot(task.surface, place, foot)) return false;
     if (foot.height >= task.radius * (1.0 - kFit)) continue;
-    planes.add(keepOff(foot, task.radius));
+    planes.add(offsetHalfSpace(foot, task.radius));
     stands = false;
   }
   return stands;

@@ -72,7 +72,7 @@ bool isKnown(const Feet& feet, const SurfacePoint& place, double distance) {
   return false;
 }
 
-void keep(const Foot& foot, Feet& feet) {
+void insertLowest(const Foot& foot, Feet& feet) {
   if (feet.count < Feet::kMax) {
     feet.add() = foot;
     return;
@@ -88,7 +88,7 @@ void addFoot(const Surface& surface, Index triangle, const ClosestOnTriangle& cl
   Foot foot;
   const bool stands =
       !isKnown(feet, place, std::sqrt(closest.squared_distance)) && standsOn(surface, place, centre, foot);
-  if (stands) keep(foot, feet);
+  if (stands) insertLowest(foot, feet);
 }
 
 bool isLower(const Surface& surface, Index triangle, const ClosestOnTriangle& closest, const Vec3& centre,
@@ -217,7 +217,7 @@ SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double rea
   return placeOf(nearest.triangle, nearest.closest);
 }
 
-HalfSpace keepOff(const Foot& foot, double radius) noexcept {
+HalfSpace offsetHalfSpace(const Foot& foot, double radius) noexcept {
   return {foot.normal, foot.normal.dot(foot.at.position) + radius};
 }
 

@@ -65,7 +65,7 @@ bool anyFootLowerAmong(const Surface& surface, const SkinList& list, const Vec3&
 SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept;
 
 /// The half-space that keeps the centre of a sphere of this radius off the foot.
-HalfSpace keepOff(const Foot& foot, double radius) noexcept;
+HalfSpace offsetHalfSpace(const Foot& foot, double radius) noexcept;
 
 // Moves a sphere's centre over the skin towards the tip.
 //

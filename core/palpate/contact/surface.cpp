@@ -98,7 +98,7 @@ void checkFans(const Surface& surface, std::size_t vertex_count, const Progress&
 }
 
 /// Vertices of the triangles around a corner, without itself; each once where the fan is closed.
-void neighboursOf(const Surface& surface, Index record, int corner, std::vector<Index>& vertices) {
+void collectNeighbours(const Surface& surface, Index record, int corner, std::vector<Index>& vertices) {
   vertices.clear();
   visitFan(surface, record, corner,
            [&](Index t, int c) { vertices.push_back(surface.geometry->tree.records[t].vertices[(c + 1) % 3]); });
@@ -115,7 +115,7 @@ bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface, const 
     for (int corner = 0; corner < 3; ++corner) {
       const Index v = surface.geometry->tree.records[r].vertices[corner];
       if (std::exchange(done[v], 1) != 0) continue;
-      neighboursOf(surface, r, corner, around);
+      collectNeighbours(surface, r, corner, around);
       for (std::size_t i = 0; i < around.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           if (mesh.positions[v] != Vec3(0.5 * (mesh.positions[around[i]] + mesh.positions[around[j]]))) continue;
@@ -124,7 +124,7 @@ bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface, const 
             const auto& vertices = surface.geometry->tree.records[t].vertices;
             const auto at = std::find(vertices.begin(), vertices.end(), around[i]);
             if (at == vertices.end()) return;
-            neighboursOf(surface, t, static_cast<int>(at - vertices.begin()), beyond);
+            collectNeighbours(surface, t, static_cast<int>(at - vertices.begin()), beyond);
             twice = twice || std::find(beyond.begin(), beyond.end(), around[j]) != beyond.end();
           });
           if (twice) return true;

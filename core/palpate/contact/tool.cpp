@@ -42,7 +42,7 @@ double gatheredRadius(const SurfaceGeometry& geometry) {
   return std::sqrt(kGathered * meanTriangle(geometry) / std::numbers::pi);
 }
 
-PadGroup groupOf(const ToolShape& shape, std::span<const std::size_t> pads, std::size_t first, double margin_mm) {
+PadGroup makePadGroup(const ToolShape& shape, std::span<const std::size_t> pads, std::size_t first, double margin_mm) {
   PadGroup group;
   group.first = first;
   group.end = first + pads.size();
@@ -64,7 +64,7 @@ void addGroups(const ToolShape& shape, std::span<std::size_t> pads, std::size_t 
   Box3 box;
   for (const std::size_t pad : pads) box.extend(shape.pads[pad].offset);
   if (pads.size() == 1 || 0.5 * box.diagonal().norm() <= kOfPads * circle_mm) {
-    state.groups.push_back(groupOf(shape, pads, first, kFirstMargin * circle_mm));
+    state.groups.push_back(makePadGroup(shape, pads, first, kFirstMargin * circle_mm));
     return;
   }
   int axis = 0;
@@ -90,7 +90,7 @@ struct ToolTask {
 
 Vec3 placeIn(const ToolPose& pose, const Vec3& offset) noexcept { return pose.position + pose.rotation * offset; }
 
-Vec3 tipOf(const ToolTask& task, const Pad& pad) noexcept { return placeIn(task.poses[pad.part], pad.offset); }
+Vec3 padTip(const ToolTask& task, const Pad& pad) noexcept { return placeIn(task.poses[pad.part], pad.offset); }
 
 /// A pad in the air whose next free tick changes nothing but its tip.
 bool isIdle(const FingerState& pad, const FingerOutput& felt) noexcept {
@@ -121,7 +121,7 @@ bool isClear(const PadGroup& group, const Vec3& middle) noexcept {
 void moveThroughAir(const ToolTask& task, const PadGroup& group, ToolState& state) noexcept {
   for (std::size_t i = group.first; i < group.end; ++i) {
     const std::size_t pad = state.order[i];
-    const Vec3 tip = tipOf(task, task.shape.pads[pad]);
+    const Vec3 tip = padTip(task, task.shape.pads[pad]);
     FingerOutput& felt = state.felt[pad];
     felt.tip = felt.proxy = felt.anchor = felt.hold = tip;
     state.pads[pad].tip = tip;
@@ -129,7 +129,7 @@ void moveThroughAir(const ToolTask& task, const PadGroup& group, ToolState& stat
 }
 
 /// Where a pad's sphere will be, about: its centre goes with its tip.
-Vec3 sphereOf(const FingerState& pad, const Vec3& tip) noexcept {
+Vec3 predictCentre(const FingerState& pad, const Vec3& tip) noexcept {
   return pad.touching ? Vec3(pad.centre + (tip - pad.tip)) : tip;
 }
 
@@ -151,19 +151,19 @@ void gatherFor(const ToolTask& task, double slack_mm, PadGroup& group, NearbySki
   }
   Box3 box;
   for (std::size_t i = group.first; i < group.end; ++i) {
-    box.extend(sphereOf(state.pads[state.order[i]], tipOf(task, task.shape.pads[state.order[i]])));
+    box.extend(predictCentre(state.pads[state.order[i]], padTip(task, task.shape.pads[state.order[i]])));
   }
   Vec3 middle = box.center();
   double reach = 0.0;
   for (std::size_t i = group.first; i < group.end; ++i) {
     const Pad& pad = task.shape.pads[state.order[i]];
-    const Vec3 place = sphereOf(state.pads[state.order[i]], tipOf(task, pad));
+    const Vec3 place = predictCentre(state.pads[state.order[i]], padTip(task, pad));
     reach = std::max(reach, (place - middle).norm() + pad.radius_mm);
   }
   if (!middle.allFinite() || !std::isfinite(reach)) return;
   const bool has_moved = state.pads[state.order[group.first]].knows_tip;
   const Vec3 motion = has_moved ? Vec3(placeIn(task.poses[group.part], group.offset) - group.middle) : Vec3::Zero();
-  group.margin_mm = std::max(group.margin_mm, worthyMargin(group.end - group.first, motion.norm() + slack_mm));
+  group.margin_mm = std::max(group.margin_mm, profitableMargin(group.end - group.first, motion.norm() + slack_mm));
   group.margin_mm = std::min(group.margin_mm, kLargestMargin * reach);
   middle += gatheredAhead(motion, group.margin_mm);
   group.gather = false;
@@ -189,7 +189,7 @@ void stepPad(const ToolTask& task, FingerSettings& settings, const NearbySkin* n
   const Pad& pad = task.shape.pads[index];
   FingerState& finger = state.pads[index];
   settings.radius_mm = pad.radius_mm;
-  const Vec3 tip = tipOf(task, pad);
+  const Vec3 tip = padTip(task, pad);
   // In place: what a pad felt is 350 bytes, which an assignment would copy.
   ::new (&state.felt[index]) FingerOutput(tickBy(task.surface, settings, finger, tip, task.lumps, [&] {
     return pressSphere(task.surface, settings, pad.radius_mm, finger, tip, nearby);

@@ -43,7 +43,7 @@ struct Room {
 };
 
 /// The largest values from q on, falling, in steps: an upper bound of the curve.
-struct MostFrom {
+struct UpperBoundFrom {
   std::array<double, Room::kSteps> from{};  ///< in the step that begins at q = i / kSteps, and beyond
   double at(double q) const noexcept {
     return q < 1.0 ? from[static_cast<std::size_t>(Room::kSteps * std::max(0.0, q))] : 0.0;
@@ -53,7 +53,7 @@ struct MostFrom {
 /// Rate of change of a point's share of the centre's motion with its place, in units of q in any direction: the largest
 /// first and second derivatives.
 struct Steepness {
-  MostFrom slope, bend;
+  UpperBoundFrom slope, bend;
 };
 
 struct LayeredFrame {

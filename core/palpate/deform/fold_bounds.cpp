@@ -97,7 +97,7 @@ class ShapesOfBlock {
   std::vector<TriangleShape> shapes_;
 };
 
-FoldBound boundOf(const Skin& skin, const ShapesOfBlock& shapes, Index block) {
+FoldBound computeFoldBound(const Skin& skin, const ShapesOfBlock& shapes, Index block) {
   FoldBound bound;
   Vec3 sum = Vec3::Zero();
   forEachTriangleAt(skin, block, [&](Index t, Index) { sum += shapes[t].normal; });
@@ -141,7 +141,7 @@ void setFoldBounds(Skin& skin) {
   skin.fold_crease.assign(std::size_t{skin.blocks} * kBlockVertices, 0.0f);
   for (Index block = 0; block < skin.blocks; ++block) {
     shapes.take(block);
-    skin.fold_bounds.push_back(boundOf(skin, shapes, block));
+    skin.fold_bounds.push_back(computeFoldBound(skin, shapes, block));
     forEachTriangleAt(skin, block, [&](Index t, Index v) {
       if (shapes[t].spread == 0.0) return;
       raise(skin.fold_gradient_mm[v], shapes[t].gradient_mm);

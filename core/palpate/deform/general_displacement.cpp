@@ -95,7 +95,7 @@ void addOutward(const RegionFrame& region, const tissue::LayeredCurve& outward, 
   motion.gradient += scale * (share.value * plane + share.slope * away * at.slope.transpose());
 }
 
-mesh::TriangleMesh meshOf(const Skin& skin) {
+mesh::TriangleMesh buildRestMesh(const Skin& skin) {
   mesh::TriangleMesh mesh;
   for (Index v = 0; v < skin.vertices; ++v) mesh.positions.push_back(skin.restPosition(v).cast<double>());
   mesh.triangles.assign(skin.triangles.begin(), skin.triangles.end());
@@ -189,7 +189,7 @@ Vec3 turnedNormal(const Mat3& gradient, const Vec3& rest_normal) noexcept {
 
 GeneralDisplacement::GeneralDisplacement(const Skin& skin, const FormSettings& forms)
     : skin_(skin), forms_(forms), curves_(forms), drag_slope_(steepestSlope(curves_.drag)), search_(skin) {
-  if (forms.search == Search::octree) octree_.emplace(meshOf(skin));
+  if (forms.search == Search::octree) octree_.emplace(buildRestMesh(skin));
 }
 
 std::span<const BlockPart> GeneralDisplacement::findRegion(const Frame& frame) noexcept {

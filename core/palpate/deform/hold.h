@@ -50,7 +50,7 @@ class Hold {
                        double beyond_mm) const noexcept;
   bool findDoubtful(const Displacement& displacement, ThePlan& plan) const noexcept;
   bool findThin(const ThePlan& plan) const noexcept;
-  static double movedTogether(const ThePlan& plan) noexcept;
+  static double totalMotion(const ThePlan& plan) noexcept;
   void dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept;
   void listPulls(ThePlan& plan) const noexcept;
   void setNormal(Index vertex, const DeformedBlock& surface) const noexcept;
@@ -73,7 +73,7 @@ Index Hold<Displacement>::apply(const Displacement& displacement, ThePlan& plan,
   if (!may_fold && !may_tear && !is_thin) return 0;
   listPulls(plan);
   shear_.setPulls(plan.pulls);
-  if (is_thin) shear_.keepWithinPart(surface);
+  if (is_thin) shear_.limitToPart(surface);
   if (may_tear) shear_.taper(surface, bound_.press + bound_.drag, Curves{skin_, displacement, plan});
   shear_.joinSeams(surface);
   shear_.unfold(surface, plan.doubtful);
@@ -124,7 +124,7 @@ bool Hold<Displacement>::findDoubtful(const Displacement& displacement, ThePlan&
 
 /// Sum of the motions of all centres, mm: no vertex moves farther.
 template <class Displacement>
-double Hold<Displacement>::movedTogether(const ThePlan& plan) noexcept {
+double Hold<Displacement>::totalMotion(const ThePlan& plan) noexcept {
   double all = 0.0;
   for (const auto& mover : plan.movers) all += Displacement::pressOf(mover) + Displacement::dragOf(mover);
   return all;
@@ -134,7 +134,7 @@ double Hold<Displacement>::movedTogether(const ThePlan& plan) noexcept {
 template <class Displacement>
 bool Hold<Displacement>::findThin(const ThePlan& plan) const noexcept {
   if (skin_.least_thickness_mm.empty()) return false;
-  const double all = movedTogether(plan);
+  const double all = totalMotion(plan);
   bool any = false;
   plan.moved.forEach([&](Index block) { any = any || ShearLimit::isThin(skin_, block, all); });
   return any;
@@ -143,7 +143,7 @@ bool Hold<Displacement>::findThin(const ThePlan& plan) const noexcept {
 /// Leaves the edges at which skin may have to be held.
 template <class Displacement>
 void Hold<Displacement>::dropFaintEdges(const Displacement& displacement, ThePlan& plan) const noexcept {
-  const double all = movedTogether(plan);
+  const double all = totalMotion(plan);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < plan.movers.size(); ++i) {
     const auto& mover = plan.movers[i];
@@ -155,7 +155,7 @@ void Hold<Displacement>::dropFaintEdges(const Displacement& displacement, ThePla
       BlockPart part = plan.edges[e];
       // Skin farther from the edge than this may move as far as any.
       const ShearBound near = shearNear(displacement, plan, part.block, all / ShearLimit::kSteepest);
-      const double faint = ShearLimit::faintAtEdge(near.press + near.drag, own);
+      const double faint = ShearLimit::negligibleEdgeMotion(near.press + near.drag, own);
       if (faint > 0.0) {
         part.vertices = displacement.strainedVertices(plan.movers, skin_.edgeBlock(part.block), part.vertices, faint);
       }

@@ -21,7 +21,7 @@ struct Derivatives {
 
 /// Steepness of a curve whose first and second derivatives by q at the samples are `at(q)`.
 template <class DerivativesAt>
-Steepness steepnessOf(const DerivativesAt& derivatives_at) noexcept {
+Steepness computeSteepness(const DerivativesAt& derivatives_at) noexcept {
   Steepness steepness;
   constexpr int kEach = kSamples / Room::kSteps;
   Derivatives most;
@@ -46,9 +46,9 @@ double bendAt(const SlopeAt& slope_at, double q) noexcept {
 }
 
 /// Along the way from the middle a share f bends by f'', across by f' / q.
-Steepness steepnessOf(const tissue::LayeredCurve& curve, double bend) noexcept {
+Steepness computeSteepness(const tissue::LayeredCurve& curve, double bend) noexcept {
   const auto slope_at = [&](double q) { return 2.0 * q * tissue::curveAt(curve, bend, q * q).by_q2; };
-  return steepnessOf([&](double q) {
+  return computeSteepness([&](double q) {
     const double across = 2.0 * tissue::curveAt(curve, bend, q * q).by_q2;
     return Derivatives{slope_at(q), std::max(std::abs(bendAt(slope_at, q)), std::abs(across))};
   });
@@ -62,7 +62,7 @@ Steepness outwardSteepness(const tissue::LayeredCurve& curve) noexcept {
     const tissue::CurvePoint f = f_at(q);
     return f.value + 2.0 * q * q * f.by_q2;
   };
-  return steepnessOf([&](double q) {
+  return computeSteepness([&](double q) {
     const tissue::CurvePoint f = f_at(q);
     const double sideways = std::abs(2.0 * q * f.by_q2);
     return Derivatives{std::max(std::abs(f.value), std::abs(slope_at(q))),
@@ -71,7 +71,7 @@ Steepness outwardSteepness(const tissue::LayeredCurve& curve) noexcept {
 }
 
 template <class ShareAt>
-Room roomOf(const ShareAt& share_at) noexcept {
+Room tabulateRoom(const ShareAt& share_at) noexcept {
   Room room;
   double most = 0.0;
   for (int i = kSamples; i >= 0; --i) {
@@ -84,14 +84,14 @@ Room roomOf(const ShareAt& share_at) noexcept {
 }  // namespace
 
 LayeredFrame::LayeredFrame(const LayeredShape& of) noexcept : shape(of) {
-  down = steepnessOf(shape.press.down, tissue::kPressBend);
+  down = computeSteepness(shape.press.down, tissue::kPressBend);
   outward = outwardSteepness(shape.press.outward);
-  drag = steepnessOf(shape.drag, tissue::kDragBend);
-  press_room = roomOf([&](double q) {
+  drag = computeSteepness(shape.drag, tissue::kDragBend);
+  press_room = tabulateRoom([&](double q) {
     const double sideways = q * tissue::curveAt(shape.press.outward, tissue::kPressBend, q * q).value;
     return elementary::hypot(pressShare(q), sideways);
   });
-  drag_room = roomOf([&](double q) { return std::abs(dragShare(q)); });
+  drag_room = tabulateRoom([&](double q) { return std::abs(dragShare(q)); });
 }
 
 }  // namespace palpate::deform

@@ -49,7 +49,7 @@ Rise riseOfRegion(const RegionFrame& region, const Vec3& unit_normal, const Form
 }
 
 /// The smallest and the largest of a contour's radii.
-std::pair<double, double> radiiOf(const maps::PolarContour& contour) noexcept {
+std::pair<double, double> radiusRange(const maps::PolarContour& contour) noexcept {
   const auto end = contour.log_radii.begin() + static_cast<std::ptrdiff_t>(contour.count);
   const auto [least, most] = std::minmax_element(contour.log_radii.begin(), end);
   return {elementary::exp(*least), elementary::exp(*most)};
@@ -115,12 +115,12 @@ SpatialLocation locateInSpace(const RegionFrame& region, const Vec3& offset) noe
 }
 
 double longestRadius(const RegionFrame& region) noexcept {
-  if (region.kind == RegionFrame::Kind::contour) return radiiOf(region.contour).second;
+  if (region.kind == RegionFrame::Kind::contour) return radiusRange(region.contour).second;
   return std::max(region.half_along_mm, region.half_across_mm);
 }
 
 double shortestRadius(const RegionFrame& region) noexcept {
-  if (region.kind == RegionFrame::Kind::contour) return radiiOf(region.contour).first;
+  if (region.kind == RegionFrame::Kind::contour) return radiusRange(region.contour).first;
   return std::min(region.half_along_mm, region.half_across_mm);
 }
 

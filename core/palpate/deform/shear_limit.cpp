@@ -36,11 +36,11 @@ constexpr float kBeyondRounding = 1.0f + 1e-5f;
 /// distinguish one side of it from the other: sixteen roundings.
 constexpr double kThinnest = 1e-6;
 
-Vec3 pointOf(const DeformedBlock& surface, int first, Index v) noexcept {
+Vec3 vectorAt(const DeformedBlock& surface, int first, Index v) noexcept {
   return {surface.values[first][v], surface.values[first + 1][v], surface.values[first + 2][v]};
 }
 
-Vec3 displacementOf(const DeformedBlock& surface, Index v) noexcept { return pointOf(surface, 6, v); }
+Vec3 displacementAt(const DeformedBlock& surface, Index v) noexcept { return vectorAt(surface, 6, v); }
 
 /// Whether a thing is not yet in a set of bits, in which it is then.
 bool isNew(Index thing, std::vector<std::uint64_t>& bits) noexcept {
@@ -76,7 +76,7 @@ struct ShearLimit::Fold {
     Vec3 moved[3];
     for (std::size_t i = 0; i < 3; ++i) {
       rest[i] = skin.restPosition(triangle[i]).cast<double>();
-      moved[i] = pointOf(surface, 0, triangle[i]) - rest[i];
+      moved[i] = vectorAt(surface, 0, triangle[i]) - rest[i];
     }
     const Vec3 a = rest[1] - rest[0];
     const Vec3 b = rest[2] - rest[0];
@@ -159,10 +159,10 @@ void ShearLimit::setPulls(std::span<const Pull> pulls) noexcept {
   }
 }
 
-void ShearLimit::keepWithinPart(const DeformedBlock& surface) noexcept {
+void ShearLimit::limitToPart(const DeformedBlock& surface) noexcept {
   forEachMoved([&](Index v) {
     const float room = kShareOfThickness * skin_.thickness_mm[v];
-    const auto inwards = static_cast<float>(-displacementOf(surface, v).dot(skin_.restNormal(v).cast<double>()));
+    const auto inwards = static_cast<float>(-displacementAt(surface, v).dot(skin_.restNormal(v).cast<double>()));
     if (inwards > room * kBeyondRounding) hold(v, room / inwards, surface);
   });
 }
@@ -181,7 +181,7 @@ bool ShearLimit::joinAt(Index vertex, const DeformedBlock& surface) noexcept {
   bool any = false;
   for (const Index beside : skin_.neighbours[vertex]) {
     const float room = kMaxParting * (skin_.restPosition(vertex) - skin_.restPosition(beside)).norm();
-    const auto parts = static_cast<float>((displacementOf(surface, vertex) - displacementOf(surface, beside)).norm());
+    const auto parts = static_cast<float>((displacementAt(surface, vertex) - displacementAt(surface, beside)).norm());
     if (!(parts > room * kBeyondRounding)) continue;
     hold(vertex, room / parts, surface);
     if (moves(beside)) hold(beside, room / parts, surface);
@@ -216,7 +216,7 @@ void ShearLimit::measureAlongSurface(const Pull& pull) noexcept {
 /// moves, or of the walls.
 double ShearLimit::seedAtEdges(const Pull& pull, double slope, const DeformedBlock& surface) noexcept {
   double farthest2 = 0.0;
-  const auto squared_length = [&](Index v) { return displacementOf(surface, v).squaredNorm(); };
+  const auto squared_length = [&](Index v) { return displacementAt(surface, v).squaredNorm(); };
   for (const BlockPart& part : pull.edges) {
     const Index first = part.block * kBlockVertices;
     forEachBit(part.vertices & regions_[part.block],
@@ -247,11 +247,11 @@ void ShearLimit::seedBeside(Index stays) noexcept {
 void ShearLimit::taperBesideStaying(double most_mm, double slope, const DeformedBlock& surface) noexcept {
   const float matters = isGentle(slope) ? kSteepest : 0.25f * kSteepest;
   from_staying_.spread(skin_, static_cast<float>(most_mm / kSteepest),
-                       [&](Index v, float mm) { return moves(v) && displacementOf(surface, v).norm() > matters * mm; });
+                       [&](Index v, float mm) { return moves(v) && displacementAt(surface, v).norm() > matters * mm; });
 }
 
 void ShearLimit::holdWithin(Index vertex, float room_mm, const DeformedBlock& surface) noexcept {
-  const auto far = static_cast<float>(displacementOf(surface, vertex).norm());
+  const auto far = static_cast<float>(displacementAt(surface, vertex).norm());
   if (far > room_mm * kBeyondRounding) hold(vertex, room_mm / far, surface);
 }
 
@@ -342,11 +342,11 @@ void ShearLimit::drawTogether(Index triangle, const DeformedBlock& surface) noex
   const Triangle& corners = skin_.triangles[triangle];
   const double share = kReserve * Fold(skin_, corners, surface).share();
   Vec3 mean = Vec3::Zero();
-  for (const Index v : corners) mean += displacementOf(surface, v) / 3.0;
+  for (const Index v : corners) mean += displacementAt(surface, v) / 3.0;
   if (!std::all_of(corners.begin(), corners.end(), [&](Index v) { return moves(v); })) mean.setZero();
   for (const Index v : corners) {
     if (!moves(v)) continue;
-    const Vec3f displacement = (mean + share * (displacementOf(surface, v) - mean)).cast<float>();
+    const Vec3f displacement = (mean + share * (displacementAt(surface, v) - mean)).cast<float>();
     const Vec3f place = skin_.restPosition(v) + displacement;
     for (int axis = 0; axis < 3; ++axis) {
       surface.values[6 + axis][v] = displacement[axis];

@@ -155,7 +155,7 @@ struct Pull {
   std::size_t contact = 0;  ///< index among those that the displacement has framed
   std::span<const BlockPart> region;
   /// Vertices next to the region that lie within its ellipses and yet stay, those in it that are steep, and some more;
-  /// without those that do not matter by faintAtEdge.
+  /// without those that do not matter by negligibleEdgeMotion.
   std::span<const BlockPart> edges;
   double press_mm = 0.0;        ///< motion of its centre, not below 0
   double drag_mm = 0.0;         ///< likewise
@@ -170,12 +170,12 @@ class ShearLimit {
   /// Motion of the skin at an edge of a contact's region for which none of the three steps is needed, in addition to
   /// the room next to skin that stays (roomBesideStaying); `own_mm` is the motion of the contact's centre. 0 where that
   /// is not certain.
-  static double faintAtEdge(double slope, double own_mm) noexcept {
+  static double negligibleEdgeMotion(double slope, double own_mm) noexcept {
     return isGentle(slope) ? kCertain * kFaint * own_mm : 0.0;
   }
 
   /// Step 0. Limits vertices that are deeper than the part allows to that depth.
-  void keepWithinPart(const DeformedBlock& surface) noexcept;
+  void limitToPart(const DeformedBlock& surface) noexcept;
   /// Whether that may hold anything back in a block that moves by at most this much. Only of a skin whose thickness is
   /// known.
   static bool isThin(const Skin& skin, Index block, double moved_mm) noexcept {

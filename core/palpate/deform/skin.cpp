@@ -24,7 +24,7 @@ void requireVerticesOfTriangles(const mesh::TriangleMesh& mesh) {
 }
 
 /// Vertices that are not finite are nowhere.
-Vec3 originOf(const mesh::TriangleMesh& mesh) {
+Vec3 chooseOrigin(const mesh::TriangleMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Vec3& position : mesh.positions) {
     if (position.allFinite()) box.extend(position);
@@ -76,7 +76,7 @@ struct Interval {
   float half;
 };
 
-Interval intervalOf(std::span<const float> values) {
+Interval boundingInterval(std::span<const float> values) {
   if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); })) return {kNan, kNan};
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const float centre = 0.5f * *low + 0.5f * *high;
@@ -92,7 +92,7 @@ FloatStreams boundsOfBlocks(const Skin& skin) {
     const RestBlock rest = skin.restBlock(block);
     const Index count = std::min(kBlockVertices, skin.vertices - block * kBlockVertices);
     for (std::size_t i = 0; i < 6; ++i) {
-      const auto [centre, half] = intervalOf({rest.values[i], count});
+      const auto [centre, half] = boundingInterval({rest.values[i], count});
       const std::size_t first = i < 3 ? 0 : 6;
       bounds[first + i % 3][block] = centre;
       bounds[first + 3 + i % 3][block] = half;
@@ -126,7 +126,7 @@ Skin buildSkin(const mesh::TriangleMesh& mesh, const Progress& progress) {
   next();
   skin.neighbours = mesh::neighboursOfVertices(mesh, skin.triangles_of_vertex);
   next();
-  skin.origin = originOf(mesh);
+  skin.origin = chooseOrigin(mesh);
   storeRestPositions(mesh, skin);
   next();
   storeRestNormals(skin);

@@ -25,7 +25,7 @@ struct Spread {
   double width = 0.0;
 };
 
-Spread spreadOf(std::span<const Vec3> places) {
+Spread measureSpread(std::span<const Vec3> places) {
   Spread spread;
   Vec3 from = Vec3::Zero();
   Vec3 along = Vec3::UnitX();
@@ -49,7 +49,7 @@ void requireSpread(std::span<const Vec3> places, const char* whose) {
   if (!std::all_of(places.begin(), places.end(), is_number)) {
     throw Error(fmt::format("calibration: the places of the {} must be finite", whose));
   }
-  const Spread spread = spreadOf(places);
+  const Spread spread = measureSpread(places);
   if (spread.length < kMinApartMm) {
     throw Error(
         fmt::format("calibration: the places of the {} lie within {:.1f} mm: take them at least {:.0f} mm apart", whose,
@@ -63,7 +63,7 @@ void requireSpread(std::span<const Vec3> places, const char* whose) {
   }
 }
 
-Vec3 middleOf(std::span<const Vec3> places) {
+Vec3 centroid(std::span<const Vec3> places) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& place : places) sum += place;
   return sum / static_cast<double>(places.size());
@@ -78,8 +78,8 @@ Calibration calibrationOf(std::span<const Vec3> of_device, std::span<const Vec3>
   }
   requireSpread(of_device, "device");
   requireSpread(of_body, "body");
-  const Vec3 device_middle = middleOf(of_device);
-  const Vec3 body_middle = middleOf(of_body);
+  const Vec3 device_middle = centroid(of_device);
+  const Vec3 body_middle = centroid(of_body);
   Mat3 covariance = Mat3::Zero();
   double device_square = 0.0;
   for (std::size_t i = 0; i < of_device.size(); ++i) {

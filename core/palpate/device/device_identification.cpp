@@ -113,7 +113,7 @@ double forceAt(const SwingRecord& record, double at, double delay) {
 }
 
 /// The columns of one half swing. The motor's force changes once within each interval, where the delay ends.
-Rows columnsOf(const SwingRecord& record, const HalfSwing& swing, double delay) {
+Rows buildSwingRows(const SwingRecord& record, const HalfSwing& swing, double delay) {
   const double onset = static_cast<double>(swing.from) + (swing.from_rest ? delay : 0.0);
   const double part = delay - std::floor(delay);
   const auto count = static_cast<Eigen::Index>(swing.until - swing.from);
@@ -161,7 +161,7 @@ Fit fitWith(const SwingRecord& record, const std::vector<HalfSwing>& swings, dou
   Normal normal = Normal::Zero();
   Fit fit;
   for (const HalfSwing& swing : swings) {
-    Rows rows = columnsOf(record, swing, delay);
+    Rows rows = buildSwingRows(record, swing, delay);
     removeBegin(rows, swing.from_rest);
     normal += rows.transpose() * rows;
     fit.samples += static_cast<std::size_t>(rows.rows());

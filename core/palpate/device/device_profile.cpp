@@ -9,7 +9,7 @@ namespace palpate::device {
 
 namespace {
 
-DeviceProfile rowOf(scene::DeviceModel model) {
+DeviceProfile tabulatedProfile(scene::DeviceModel model) {
   using scene::DeviceModel;
   switch (model) {
     case DeviceModel::unknown:
@@ -50,7 +50,7 @@ DeviceProfile asTheBodySees(DeviceProfile profile, double scale) {
   return profile;
 }
 
-DeviceProfile leastOf(const DeviceProfile& a, const DeviceProfile& b) {
+DeviceProfile weakestProfile(const DeviceProfile& a, const DeviceProfile& b) {
   DeviceProfile least;
   least.known = a.known && b.known;
   least.force_n = std::min(a.force_n, b.force_n);
@@ -72,7 +72,7 @@ DeviceProfile leastOf(const DeviceProfile& a, const DeviceProfile& b) {
 }  // namespace
 
 DeviceProfile profileOf(scene::DeviceModel model) {
-  DeviceProfile profile = rowOf(model);
+  DeviceProfile profile = tabulatedProfile(model);
   if (profile.known) profile.unsafe_force_n = profile.force_n;
   return profile;
 }
@@ -99,7 +99,7 @@ DeviceProfile profileOf(scene::DeviceModel named, std::span<const Capabilities> 
   for (const Capabilities& device : open) {
     if (any_force && !device.takes_force) continue;
     const DeviceProfile profile = profileOf(named, device);
-    least = least ? leastOf(*least, profile) : profile;
+    least = least ? weakestProfile(*least, profile) : profile;
   }
   return least.value_or(profileOf(named));
 }

@@ -79,7 +79,7 @@ void requireReasonableLength(const scene::Finger& finger) {
   }
 }
 
-std::vector<Stand> standsOf(const scene::Finger& finger, double tick_s) {
+std::vector<Stand> computeStands(const scene::Finger& finger, double tick_s) {
   requireReasonableLength(finger);
   std::vector<Stand> stands = {{finger.at_mm, finger.start_height_mm}};
   for (const scene::Step& step : finger.steps) {
@@ -130,7 +130,7 @@ std::vector<double> movingMean(const std::vector<double>& values, std::ptrdiff_t
 
 std::vector<Vec3> walkScript(const scene::Finger& finger, const ScriptFrame& frame, const SkinHeight& height,
                              double tick_s) {
-  const std::vector<Stand> stands = standsOf(finger, tick_s);
+  const std::vector<Stand> stands = computeStands(finger, tick_s);
   const auto reach = static_cast<std::ptrdiff_t>(std::llround(0.5 * kReliefSmoothingS / tick_s));
   // Twice a moving mean: a kink in the relief becomes a smooth curve, not a polygon.
   const std::vector<double> skin = movingMean(movingMean(skinHeights(finger, stands, height), reach), reach);
@@ -192,8 +192,8 @@ Trajectory onTicks(const scene::Finger& finger, const Trajectory& trajectory, do
   }
 }
 
-std::vector<Vec3> tipsOf(const scene::World& world, const scene::Finger& finger, const Trajectory& trajectory,
-                         double start_s) {
+std::vector<Vec3> computeTips(const scene::World& world, const scene::Finger& finger, const Trajectory& trajectory,
+                              double start_s) {
   const double ticks_per_s = world.scene.ticks_per_s;
   if (finger.findsItsOwnWay()) return automaticPath(world, finger.radius_mm).tip_mm;
   if (trajectory.size() == 0) return walkScript(finger, {}, heightOver(world, {}), 1.0 / ticks_per_s);
@@ -286,7 +286,7 @@ Ground roomiestGround(const scene::World& world) {
   return best;
 }
 
-scene::Step stepOf(scene::Move move, double seconds) { return {.move = move, .seconds = seconds}; }
+scene::Step makeStep(scene::Move move, double seconds) { return {.move = move, .seconds = seconds}; }
 
 /// Ten seconds: press, drag away, circle there, drag back, lift.
 scene::Finger automaticFinger(const PathSize& size, double radius_mm) {
@@ -295,8 +295,8 @@ scene::Finger automaticFinger(const PathSize& size, double radius_mm) {
   finger.name = "automatic";
   finger.radius_mm = radius_mm;
   finger.start_height_mm = size.depth * kAutomaticHover;
-  finger.steps = {stepOf(Move::press, 1.5),  stepOf(Move::hold, 0.5), stepOf(Move::drag, 2.0),
-                  stepOf(Move::circle, 3.0), stepOf(Move::drag, 2.0), stepOf(Move::lift, 1.0)};
+  finger.steps = {makeStep(Move::press, 1.5),  makeStep(Move::hold, 0.5), makeStep(Move::drag, 2.0),
+                  makeStep(Move::circle, 3.0), makeStep(Move::drag, 2.0), makeStep(Move::lift, 1.0)};
   finger.steps[0].depth_mm = size.depth * kAutomaticDepth;
   finger.steps[2].by_mm = Vec2(size.sideways * kAutomaticDrag, 0.0);
   finger.steps[3].radius_mm = size.sideways * kAutomaticCircle;
@@ -313,7 +313,7 @@ FingerPaths pathsOf(const scene::World& world) {
   FingerPaths paths;
   paths.start_s = earliestStart(trajectories);
   for (std::size_t i = 0; i < scene.fingers.size(); ++i) {
-    std::vector<Vec3> tips = tipsOf(world, scene.fingers[i], trajectories[i], paths.start_s);
+    std::vector<Vec3> tips = computeTips(world, scene.fingers[i], trajectories[i], paths.start_s);
     paths.ticks = std::max(paths.ticks, tips.size());
     paths.tips.push_back(std::make_shared<const std::vector<Vec3>>(std::move(tips)));
   }

@@ -79,7 +79,8 @@ void MouseFinger::pressByForce(const FingerTarget& target, const Vec3& felt_forc
   const bool touches = felt > 0.0 && depth_ > 0.0;
   const double stiffness = touches ? std::max(kMinStiffness, felt / depth_) : kSoftGuess;
   const double missing = (target.force_n - std::max(0.0, felt)) / stiffness;
-  depth_speed_ = std::clamp(missing / settings_.force_s, -settings_.fastest_mm_per_s, settings_.fastest_mm_per_s);
+  depth_speed_ =
+      std::clamp(missing / settings_.force_s, -settings_.max_depth_speed_mm_per_s, settings_.max_depth_speed_mm_per_s);
   depth_ = std::clamp(depth_ + depth_speed_ * settings_.tick_s, -settings_.hover_mm, target.max_depth_mm);
 }
 

@@ -38,14 +38,14 @@ struct FingerTarget {
 struct MouseFingerSettings {
   double tick_s = 0.001;
   /// Rates of the critically damped followers, 1/s; 95 % of a step is done after 4.7 / rate.
-  double place_rate = 120.0;        ///< 40 ms: hides the steps of the mouse, stays under the hand
-  double depth_rate = 40.0;         ///< 120 ms: a finger going down
-  double turn_pressed_s = 0.150;    ///< time constant of the direction while pressed
-  double turn_free_s = 0.030;       ///< and in the air
-  double hover_mm = 6.0;            ///< height of the pad over the skin when it does not press
-  double jump_mm = 40.0;            ///< a place farther away is reached in one step, in the air, instead of flown to
-  double force_s = 0.060;           ///< time constant of press by force
-  double fastest_mm_per_s = 120.0;  ///< the depth, in press by force
+  double place_rate = 120.0;      ///< 40 ms: hides the steps of the mouse, stays under the hand
+  double depth_rate = 40.0;       ///< 120 ms: a finger going down
+  double turn_pressed_s = 0.150;  ///< time constant of the direction while pressed
+  double turn_free_s = 0.030;     ///< and in the air
+  double hover_mm = 6.0;          ///< height of the pad over the skin when it does not press
+  double jump_mm = 40.0;          ///< a place farther away is reached in one step, in the air, instead of flown to
+  double force_s = 0.060;         ///< time constant of press by force
+  double max_depth_speed_mm_per_s = 120.0;  ///< the depth, in press by force
 };
 
 /// Waiting place of a finger that has not been over the skin: a hundred metres behind the back. Not NaN: the servo

@@ -39,7 +39,7 @@ std::vector<T> inOrder(std::span<const T> values, const std::vector<Index>& orde
 }
 
 /// For each of `count` sources the first that came from it.
-std::vector<Index> firstOf(const std::vector<Index>& sources, std::size_t count) {
+std::vector<Index> firstPerSource(const std::vector<Index>& sources, std::size_t count) {
   std::vector<Index> first(count, kNoIndex);
   for (Index i = 0; i < sources.size(); ++i) {
     if (sources[i] != kNoIndex && first[sources[i]] == kNoIndex) first[sources[i]] = i;
@@ -117,9 +117,9 @@ WorldFromArrays worldFromMesh(const mesh::TriangleMesh& mesh, std::span<const do
   const std::vector<Index> first_at_place = mesh::equalVertices(mesh.positions);
   const std::vector<Index> unmoved = whereUnmoved(mesh, body.skin, built.source_vertex);
   built.source_triangle = sourcesOfTriangles(mesh, first_at_place, body.skin, unmoved);
-  const std::vector<Index> built_of_first = firstOf(unmoved, mesh.positions.size());
+  const std::vector<Index> built_of_first = firstPerSource(unmoved, mesh.positions.size());
   built.built_vertex = inOrder(std::span(built_of_first), first_at_place);
-  built.built_triangle = firstOf(built.source_triangle, mesh.triangles.size());
+  built.built_triangle = firstPerSource(built.source_triangle, mesh.triangles.size());
   scene::Scene described = scene;
   described.body = {};
   described.body.kind = scene::BodyKind::mesh;

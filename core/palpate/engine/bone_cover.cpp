@@ -40,7 +40,7 @@ std::optional<BoneCover> BoneCoverMeter::of(const deform::DeformedSurface& surfa
   return cover;
 }
 
-std::string inWords(const BoneCover& cover, const scene::World& world) {
+std::string describe(const BoneCover& cover, const scene::World& world) {
   return fmt::format("{:.1f} mm of tissue left over {}", cover.least_mm,
                      body::spokenName(world.body->anatomy.bones[cover.bone].name));
 }

@@ -24,7 +24,7 @@ static_assert(kSkinBegins.back() == kStreamVersion && kFrameBegins.back() == kSt
 
 enum ContactPart : std::uint8_t { kHasContour = 1, kHasCurves = 2, kAllParts = 3 };
 
-std::uint8_t partsOf(const deform::Contact& contact) {
+std::uint8_t computePartFlags(const deform::Contact& contact) {
   std::uint8_t parts = 0;
   if (contact.tangential_contour.contour.count > 0) parts |= kHasContour;
   if (contact.layered) parts |= kHasCurves;
@@ -56,7 +56,7 @@ void walkCurves(Wire& wire, Shape& shape) {
 
 template <class Wire, class Contact>
 void walkContact(Wire& wire, Contact& contact) {
-  auto parts = partsOf(contact);
+  auto parts = computePartFlags(contact);
   wire.word(parts, std::uint8_t{kAllParts});
   wire.place(contact.anchor);
   wire.count(contact.anchor_triangle, Index{0}, kNoIndex);

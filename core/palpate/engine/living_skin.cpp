@@ -8,8 +8,8 @@ namespace palpate::engine {
 
 namespace {
 
-const contact::FingerOutput& outputOf(const contact::FingerOutput& finger) { return finger; }
-const contact::FingerOutput& outputOf(const trace::Sample& sample) { return sample.contact; }
+const contact::FingerOutput& contactOutput(const contact::FingerOutput& finger) { return finger; }
+const contact::FingerOutput& contactOutput(const trace::Sample& sample) { return sample.contact; }
 
 }  // namespace
 
@@ -27,7 +27,7 @@ deform::Report LivingSkin::followAny(std::span<const Finger> fingers, std::uint6
   touching_.clear();
   std::uint32_t left_out = 0;
   for (const Finger& finger : fingers) {
-    if (!addTouching(world_, outputOf(finger), lift_mm_, touching_)) left_out = deform::kIgnoredOverCapacity;
+    if (!addTouching(world_, contactOutput(finger), lift_mm_, touching_)) left_out = deform::kIgnoredOverCapacity;
   }
   deform::Report report = deformer_.apply(touching_, surface_);
   report.status |= left_out;

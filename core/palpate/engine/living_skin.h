@@ -84,6 +84,6 @@ class BoneCoverMeter {
 };
 
 /// "3.2 mm of tissue left over left rib 7"
-std::string inWords(const BoneCover& cover, const scene::World& world);
+std::string describe(const BoneCover& cover, const scene::World& world);
 
 }  // namespace palpate::engine

@@ -96,8 +96,8 @@ struct CutTriangle {
       positive.push_back(*this);  // also the one that lies in the plane (E9), so that no area is kept twice
       return;
     }
-    keep(clip(corners, plane, false), negative);
-    keep(clip(corners, plane, true), positive);
+    append(clip(corners, plane, false), negative);
+    append(clip(corners, plane, true), positive);
   }
   void addTo(Growth& growth) const {
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -106,7 +106,7 @@ struct CutTriangle {
   }
 
  private:
-  void keep(const Pieces& pieces, std::vector<CutTriangle>& side) const {
+  void append(const Pieces& pieces, std::vector<CutTriangle>& side) const {
     for (int i = 0; i < pieces.count; ++i) side.push_back({pieces.triangles[i], triangle});
   }
 };
@@ -167,7 +167,7 @@ class CopyingGrowth {
   Children divide(Index node, const std::vector<Part>& parts) const {
     const Vec3 at = splitPoint(growth_.cells[node]);
     Children children;
-    const auto keep = [&](std::vector<Part>&& part, int slot) {
+    const auto append = [&](std::vector<Part>&& part, int slot) {
       if (part.empty()) return;
       children.total += part.size();
       children.parts.push_back(std::move(part));
@@ -175,7 +175,7 @@ class CopyingGrowth {
     };
     if (growth_.tree == TreeKind::Bsp) {
       Halves halves = halve(parts, splitAxis(growth_.nodes[node].level), at);
-      for (int x = 0; x < 2; ++x) keep(std::move(halves[x]), x);
+      for (int x = 0; x < 2; ++x) append(std::move(halves[x]), x);
       return children;
     }
     const Halves by_z = halve(parts, 2, at);
@@ -183,7 +183,7 @@ class CopyingGrowth {
       const Halves by_y = halve(by_z[z], 1, at);
       for (int y = 0; y < 2; ++y) {
         Halves by_x = halve(by_y[y], 0, at);
-        for (int x = 0; x < 2; ++x) keep(std::move(by_x[x]), x + 2 * y + 4 * z);
+        for (int x = 0; x < 2; ++x) append(std::move(by_x[x]), x + 2 * y + 4 * z);
       }
     }
     return children;

@@ -83,7 +83,7 @@ std::size_t HdbCandidates::bytes() const noexcept {
 }
 
 /// Entries become records of the surface's tree; those without one are dropped.
-void HdbCandidates::keepRecords() noexcept {
+void HdbCandidates::mapToRecords() noexcept {
   std::size_t kept = 0;
   for (const Index entry : near_) {
     const Index record = surface_->record_of_triangle[surface_->partition->triangles[entry]];
@@ -137,7 +137,7 @@ const std::vector<Index>& HdbCandidates::near(const Box3& box) noexcept {
   near_.clear();
   if (surface_->settings.query == HdbQuery::linked) {
     appendNear(linked_, partition, box, near_);
-    keepRecords();
+    mapToRecords();
     return near_;
   }
   for (const EntryRange& range : ranges()) {

@@ -78,7 +78,7 @@ class HdbCandidates {
 
  private:
   const std::vector<EntryRange>& ranges() const;
-  void keepRecords() noexcept;
+  void mapToRecords() noexcept;
   void findLeaves(const Box3& box) noexcept;
 
   std::shared_ptr<const HdbSurface> surface_;

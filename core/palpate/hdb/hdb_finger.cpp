@@ -82,7 +82,7 @@ tree::Crossing firstFrontCrossing(const contact::Surface& surface, std::span<con
   return first;
 }
 
-contact::HalfSpace planeOf(const TriangleRecord& record, double standoff_mm) {
+contact::HalfSpace offsetFacePlane(const TriangleRecord& record, double standoff_mm) {
   const Vec3 normal = contact::faceNormal(record);
   return {normal, normal.dot(record.corners[0]) + standoff_mm};
 }
@@ -141,7 +141,7 @@ Mover::Round Mover::slide(int& planes_met) {
       go(end);
       return end == target ? Round::there : Round::moved;
     }
-    const contact::HalfSpace plane = planeOf(record(hit.triangle), standoff_mm);
+    const contact::HalfSpace plane = offsetFacePlane(record(hit.triangle), standoff_mm);
     if (approach(plane, end)) return Round::moved;
     planes.add(plane);
     if (!contact::nearestInside(planes, target, 1e-3 * standoff_mm, goal)) return Round::stuck;
@@ -162,7 +162,7 @@ bool Mover::roundTheCorner() {
   for (const Index t : triangles) {
     const auto closest = tree::closestOnTriangle(record(t).corners, place);
     if (closest.squared_distance > reach * reach || count == kMaxTouched) continue;
-    touched[count++] = planeOf(record(t), standoff_mm);
+    touched[count++] = offsetFacePlane(record(t), standoff_mm);
   }
   Vec3 best = place;
   for (int i = 0; i < count; ++i) {
@@ -188,7 +188,7 @@ bool isInFront(const contact::Surface& surface, std::span<const Index> triangles
   return std::none_of(triangles.begin(), triangles.end(), [&](Index t) {
     const TriangleRecord& record = surface.geometry->tree.records[t];
     if (tree::closestOnTriangle(record.corners, place).squared_distance > reach * reach) return false;
-    return excess(planeOf(record, 0.0), place) <= 0.0;
+    return excess(offsetFacePlane(record, 0.0), place) <= 0.0;
   });
 }
 

@@ -13,7 +13,7 @@ namespace palpate::hdb {
 
 namespace {
 
-int octantOf(const Vec3& point, const Vec3& at) {
+int octantIndex(const Vec3& point, const Vec3& at) {
   return (point.x() >= at.x() ? 1 : 0) + (point.y() >= at.y() ? 2 : 0) + (point.z() >= at.z() ? 4 : 0);  // E9
 }
 
@@ -63,7 +63,7 @@ class LiteralGrowth {
     const Vec3 at = splitPoint(growth_.cells[node]);
     for (const Traveller& traveller : travellers) {
       const Piece corners = cornersOf(traveller.triangle);
-      const int a = octantOf(corners[0], at), b = octantOf(corners[1], at), c = octantOf(corners[2], at);
+      const int a = octantIndex(corners[0], at), b = octantIndex(corners[1], at), c = octantIndex(corners[2], at);
       const int majority = (a & b) | (b & c) | (c & a);
       const bool in_three = a != b && b != c && c != a;
       octants[majority].push_back({traveller.triangle, traveller.lost || in_three});

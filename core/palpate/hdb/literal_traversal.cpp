@@ -15,7 +15,9 @@ struct Sides {
   bool positive;
 };
 
-Sides sidesOf(const Box3& box, int axis, double plane) { return {box.min()[axis] < plane, box.max()[axis] >= plane}; }
+Sides touchedSides(const Box3& box, int axis, double plane) {
+  return {box.min()[axis] < plane, box.max()[axis] >= plane};
+}
 
 class PlaneTraversal {
  public:
@@ -30,7 +32,7 @@ class PlaneTraversal {
       return;
     }
     const int axis = splitAxis(node.level);
-    Sides sides = sidesOf(box_, axis, splitPoint(partition_.cells[node_index])[axis]);
+    Sides sides = touchedSides(box_, axis, splitPoint(partition_.cells[node_index])[axis]);
     ++hits_.cost.nodes_tested;
     if (else_if_ && sides.positive) sides.negative = false;  // E4
     if (sides.negative) enterChild(node, 0);

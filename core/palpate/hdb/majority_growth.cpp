@@ -58,14 +58,14 @@ class MajorityGrowth {
   std::vector<Range> divide(Index node, const Range& range, std::vector<std::uint8_t>& slots) {
     const Vec3 at = splitPoint(growth_.cells[node]);
     std::vector<Range> parts;
-    const auto keep = [&](const Range& part, int slot) {
+    const auto append = [&](const Range& part, int slot) {
       if (part.size() == 0) return;
       parts.push_back(part);
       slots.push_back(static_cast<std::uint8_t>(slot));
     };
     if (growth_.tree == TreeKind::Bsp) {
       const auto halves = halve(range, splitAxis(growth_.nodes[node].level), at);
-      for (int x = 0; x < 2; ++x) keep(halves[x], x);
+      for (int x = 0; x < 2; ++x) append(halves[x], x);
       return parts;
     }
     const auto by_z = halve(range, 2, at);
@@ -73,7 +73,7 @@ class MajorityGrowth {
       const auto by_y = halve(by_z[z], 1, at);
       for (int y = 0; y < 2; ++y) {
         const auto by_x = halve(by_y[y], 0, at);
-        for (int x = 0; x < 2; ++x) keep(by_x[x], x + 2 * y + 4 * z);
+        for (int x = 0; x < 2; ++x) append(by_x[x], x + 2 * y + 4 * z);
       }
     }
     return parts;

@@ -27,16 +27,16 @@ void check(const mesh::TriangleMesh& mesh, const BuildSettings& settings) {
   }
 }
 
-Box3 boxOf(const mesh::TriangleMesh& mesh, Index triangle) {
+Box3 triangleBox(const mesh::TriangleMesh& mesh, Index triangle) {
   const auto [a, b, c] = mesh.triangles[triangle];
   const Vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
   return {p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
 }
 
 /// Bounds of the triangles, without unused vertices.
-Box3 boundsOf(const mesh::TriangleMesh& mesh) {
+Box3 triangleBounds(const mesh::TriangleMesh& mesh) {
   Box3 bounds;
-  for (Index t = 0; t < mesh.triangles.size(); ++t) bounds.extend(boxOf(mesh, t));
+  for (Index t = 0; t < mesh.triangles.size(); ++t) bounds.extend(triangleBox(mesh, t));
   return bounds;
 }
 
@@ -60,7 +60,7 @@ void fillEntries(Partition& partition, Growth& growth, const mesh::TriangleMesh&
     const std::size_t end = std::min(begin + kChunk, items.size());
     for (std::size_t i = begin; i < end; ++i) {
       partition.triangles.push_back(items[i].triangle);
-      partition.boxes.push_back(boxOf(mesh, items[i].triangle));
+      partition.boxes.push_back(triangleBox(mesh, items[i].triangle));
     }
     growth.work_done.add(kEntriesShare * static_cast<double>(end - begin) / static_cast<double>(items.size()));
   }
@@ -94,7 +94,7 @@ Growth startGrowth(const mesh::TriangleMesh& mesh, const BuildSettings& settings
   growth.most_in_leaf = settings.leaf_below_threshold ? settings.threshold - 1 : settings.threshold;  // E7
   growth.work_done = WorkDone(progress);
   growth.nodes.emplace_back();
-  growth.cells.push_back(boundsOf(mesh));
+  growth.cells.push_back(triangleBounds(mesh));
   return growth;
 }
 

@@ -61,7 +61,7 @@ Box3 drawnBox(const Partition& partition, const Node& leaf) {
   return box;
 }
 
-Vec3 middleOf(const Partition& partition, std::size_t entry) {
+Vec3 entryCentre(const Partition& partition, std::size_t entry) {
   if (partition.pieces.empty()) return partition.boxes[entry].center();
   const auto& [a, b, c] = partition.pieces[entry];
   return (a + b + c) / 3.0;
@@ -81,7 +81,7 @@ double leavesPerPoint(const Partition& partition) {
   LeafHits hits;
   std::size_t leaves = 0;
   for (std::size_t i = 0; i < samples; ++i) {
-    const Vec3 point = middleOf(partition, i * entries / samples);
+    const Vec3 point = entryCentre(partition, i * entries / samples);
     findLeaves(partition, Box3(point), hits);
     for (const Index leaf : hits.leaves) leaves += boxes[leaf].contains(point) ? 1 : 0;
   }

@@ -31,7 +31,7 @@ std::string header(std::size_t radii) {
 }
 
 /// Number of radii of the row. `wanted` is that of the rows before, 0 for the first one.
-std::size_t radiiOf(const CsvRow& row, std::size_t wanted) {
+std::size_t countRadii(const CsvRow& row, std::size_t wanted) {
   const std::size_t radii = row.fields.size() - std::min(row.fields.size(), kColumnsBefore);
   if (radii < kMinContourRadii || radii > kMaxContourRadii) {
     throw Error::atLine(row.file, row.line,
@@ -53,7 +53,7 @@ double radiusOf(const CsvRow& row, std::size_t i) {
   return csvNumber(row, kColumnsBefore + i, fmt::format("r{}_mm", i), kRadiiMm);
 }
 
-ContourPoint contourPointOf(const CsvRow& row, std::size_t radii) {
+ContourPoint parseContourPoint(const CsvRow& row, std::size_t radii) {
   std::vector<double> radii_mm;
   for (std::size_t i = 0; i < radii; ++i) radii_mm.push_back(radiusOf(row, i));
   return {std::string(row.fields[0]),
@@ -75,9 +75,9 @@ std::vector<ContourPoint> parseContourPoints(std::string_view text, std::string_
   std::size_t radii = 0;
   forEachCsvRow(text, file, [&](const CsvRow& row) {
     const bool first = radii == 0;
-    radii = radiiOf(row, radii);
+    radii = countRadii(row, radii);
     if (first && row.fields.front() == "name") return requireHeader(row, radii);
-    points.push_back(contourPointOf(row, radii));
+    points.push_back(parseContourPoint(row, radii));
   });
   return points;
 }

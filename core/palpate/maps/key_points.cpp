@@ -94,7 +94,7 @@ Ellipse ellipseOf(const CsvRow& row) {
   return canonicalEllipse(half_major_mm, half_major_mm / ratio, direction_deg * kRadPerDeg);
 }
 
-KeyPoint keyPointOf(const CsvRow& row, const FurtherColumns& further) {
+KeyPoint parseKeyPoint(const CsvRow& row, const FurtherColumns& further) {
   requireFields(row, further);
   KeyPoint key;
   key.name = row.fields[0];
@@ -133,7 +133,7 @@ std::vector<KeyPoint> parseKeyPoints(std::string_view text, std::string_view fil
     if (is_header) {
       further = readHeader(row);
     } else {
-      keys.push_back(keyPointOf(row, further));
+      keys.push_back(parseKeyPoint(row, further));
     }
   });
   return keys;

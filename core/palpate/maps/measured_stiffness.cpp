@@ -17,7 +17,7 @@ namespace {
 /// Softer than any tissue; ensures a force where a fit gives none or less.
 constexpr double kSoftestNPerMm = 0.01;
 /// Factor beyond the measured range up to which a fit is accepted.
-constexpr double kBelief = 4.0;
+constexpr double kMaxExtrapolation = 4.0;
 
 std::vector<KeyPoint> withStiffness(std::span<const KeyPoint> keys) {
   std::vector<KeyPoint> measured;
@@ -31,8 +31,8 @@ std::pair<double, double> believable(const std::vector<KeyPoint>& keys) {
     return *a.stiffness_n_per_mm < *b.stiffness_n_per_mm;
   };
   const auto [least, most] = std::minmax_element(keys.begin(), keys.end(), softer);
-  const double low = std::max(kSoftestNPerMm, *least->stiffness_n_per_mm / kBelief);
-  return {low, std::max(low, *most->stiffness_n_per_mm * kBelief)};
+  const double low = std::max(kSoftestNPerMm, *least->stiffness_n_per_mm / kMaxExtrapolation);
+  return {low, std::max(low, *most->stiffness_n_per_mm * kMaxExtrapolation)};
 }
 
 FitError errorAt(const std::vector<KeyPoint>& keys, const MeasuredStiffnessField& field) {

@@ -37,7 +37,7 @@ double polarRadius(const Ellipse& ellipse, double angle_rad) {
   return 1.0 / locationRatio(ellipse, Vec2(elementary::cos(angle_rad), elementary::sin(angle_rad)));
 }
 
-double ratioOf(double distance, double radius) {
+double radiusRatio(double distance, double radius) {
   if (distance == 0.0) return 0.0;
   return radius > 0.0 ? distance / radius : std::numeric_limits<double>::infinity();
 }
@@ -81,7 +81,7 @@ double radiusAt(const PolarContour& contour, double angle_rad) noexcept {
 }
 
 double locationRatio(const PolarContour& contour, const Vec2& offset) noexcept {
-  return ratioOf(offset.norm(), radiusAt(contour, elementary::atan2(offset.y(), offset.x())));
+  return radiusRatio(offset.norm(), radiusAt(contour, elementary::atan2(offset.y(), offset.x())));
 }
 
 SurfaceContour contourOnSurface(const PolarContour& contour, const Vec3& normal) noexcept {
@@ -95,7 +95,7 @@ SurfaceContour contourOnSurface(const PolarContour& contour, const Vec3& normal)
 
 double locationRatio(const SurfaceContour& contour, const Vec3& offset_in_plane) noexcept {
   const double angle = elementary::atan2(offset_in_plane.dot(contour.axis_y), offset_in_plane.dot(contour.axis_x));
-  return ratioOf(offset_in_plane.norm(), radiusAt(contour.contour, angle));
+  return radiusRatio(offset_in_plane.norm(), radiusAt(contour.contour, angle));
 }
 
 }  // namespace palpate::maps

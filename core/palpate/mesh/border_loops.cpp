@@ -120,15 +120,15 @@ class LoopCutter {
   void cut(const std::vector<Index>& run) {
     for (const Index h : run) {
       const Index vertex = halfEdgeEnd(mesh_, h);
-      if (place_in_run_[vertex] != kNoIndex) takeLoop(place_in_run_[vertex]);
+      if (place_in_run_[vertex] != kNoIndex) cutLoop(place_in_run_[vertex]);
       place_in_run_[vertex] = static_cast<Index>(path_.size());
       path_.push_back(h);
     }
-    takeLoop(0);
+    cutLoop(0);
   }
 
  private:
-  void takeLoop(Index begin) {
+  void cutLoop(Index begin) {
     BorderLoop loop;
     for (Index i = begin; i < path_.size(); ++i) {
       loop.half_edges.push_back(path_[i]);

@@ -36,7 +36,7 @@ bool allMatched(const std::vector<std::pair<Index, Index>>& pieces) {
 }
 
 /// The pieces of one triangle, whose ring of corners has more vertices on its sides.
-std::vector<Triangle> piecesOf(const TriangleMesh& mesh, const Triangle& t, std::span<const SideSplit> splits) {
+std::vector<Triangle> makePieces(const TriangleMesh& mesh, const Triangle& t, std::span<const SideSplit> splits) {
   std::vector<Index> ring;
   std::vector<std::array<bool, 3>> on_side;
   for (std::size_t side = 0; side < 3; ++side) {
@@ -64,7 +64,7 @@ std::vector<Triangle> piecesOf(const TriangleMesh& mesh, const Triangle& t, std:
 }
 
 /// The same for a single side, where there is no choice.
-std::vector<Triangle> fanOf(const Triangle& t, const SideSplit& split) {
+std::vector<Triangle> makeFan(const Triangle& t, const SideSplit& split) {
   const std::size_t side = split.half_edge % 3;
   const Index tip = t[(side + 2) % 3];
   std::vector<Triangle> pieces;
@@ -117,8 +117,8 @@ void splitSides(TriangleMesh& mesh, std::vector<SideSplit> splits) {
     while (end < splits.size() && splits[end].half_edge / 3 == t) ++end;
     const Triangle whole = mesh.triangles[t];
     const auto pieces = end == first + 1
-                            ? fanOf(whole, splits[first])
-                            : piecesOf(mesh, whole, std::span<const SideSplit>(&splits[first], end - first));
+                            ? makeFan(whole, splits[first])
+                            : makePieces(mesh, whole, std::span<const SideSplit>(&splits[first], end - first));
     mesh.triangles[t] = pieces[0];
     mesh.triangles.insert(mesh.triangles.end(), pieces.begin() + 1, pieces.end());
     first = end;

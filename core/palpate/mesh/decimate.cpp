@@ -118,7 +118,7 @@ class Decimator {
         triangles_(std::move(mesh.triangles)),
         live_triangles_(triangles_.size()),
         origin_(positions_.empty() ? Vec3::Zero() : positions_.front()) {
-    for (Vec3& p : positions_) p -= keepX0(origin_);
+    for (Vec3& p : positions_) p -= allowedShift(origin_);
     linkCorners();
     findBorder();
     sumQuadrics();
@@ -138,7 +138,7 @@ class Decimator {
     for (Index v = 0; v < positions_.size(); ++v) {
       if (first_corner_[v] == kNoIndex) continue;
       renumbered[v] = static_cast<Index>(mesh.positions.size());
-      mesh.positions.push_back(positions_[v] + keepX0(origin_));
+      mesh.positions.push_back(positions_[v] + allowedShift(origin_));
     }
     for (const Triangle& t : triangles_) {
       if (t[0] != kNoIndex) mesh.triangles.push_back({renumbered[t[0]], renumbered[t[1]], renumbered[t[2]]});
@@ -148,7 +148,9 @@ class Decimator {
 
  private:
   // Quadrics are summed near the origin to keep their digits; a mirrored half must keep its plane.
-  Vec3 keepX0(const Vec3& shift) const { return options_.mirrored_at_x0 ? Vec3(0.0, shift.y(), shift.z()) : shift; }
+  Vec3 allowedShift(const Vec3& shift) const {
+    return options_.mirrored_at_x0 ? Vec3(0.0, shift.y(), shift.z()) : shift;
+  }
 
   // --- set-up ---
 
@@ -287,11 +289,11 @@ class Decimator {
     const Vec3 around = areaAround(a) + areaAround(b);
     if (turnsOver(a, b, point, around) || turnsOver(b, a, point, around)) return;
     collapse(a, b, point, sum);
-    pushEdgesOf(a);
+    pushEdges(a);
   }
 
   template <class Visit>
-  void forTrianglesOf(Index v, Visit visit) const {
+  void forEachTriangleAt(Index v, Visit visit) const {
     for (Index corner = first_corner_[v]; corner != kNoIndex; corner = next_corner_[corner])
       visit(corner / 3, corner % 3);
   }
@@ -300,13 +302,13 @@ class Decimator {
 
   Index sharedTriangles(Index a, Index b) const {
     Index count = 0;
-    forTrianglesOf(a, [&](Index t, Index) { count += uses(triangles_[t], b) ? 1 : 0; });
+    forEachTriangleAt(a, [&](Index t, Index) { count += uses(triangles_[t], b) ? 1 : 0; });
     return count;
   }
 
   Index triangleCount(Index v) const {
     Index count = 0;
-    forTrianglesOf(v, [&](Index, Index) { ++count; });
+    forEachTriangleAt(v, [&](Index, Index) { ++count; });
     return count;
   }
 
@@ -315,13 +317,13 @@ class Decimator {
   bool linkAllows(Index a, Index b, Index shared) {
     if (shared == 2 && border_[a] != 0 && border_[b] != 0) return false;
     ++round_;
-    forTrianglesOf(a, [&](Index t, Index) {
+    forEachTriangleAt(a, [&](Index t, Index) {
       for (const Index v : triangles_[t]) seen_[v] = round_;
     });
     seen_[a] = seen_[b] = 0;
     Index common = 0;
     bool keeps_fans = true;
-    forTrianglesOf(b, [&](Index t, Index) {
+    forEachTriangleAt(b, [&](Index t, Index) {
       for (const Index v : triangles_[t]) {
         if (seen_[v] != round_) continue;
         seen_[v] = 0;
@@ -336,7 +338,7 @@ class Decimator {
   // same edge, used by four triangles.
   bool makesChord(Index border, Index inner) const {
     bool chord = false;
-    forTrianglesOf(inner, [&](Index t, Index) {
+    forEachTriangleAt(inner, [&](Index t, Index) {
       for (const Index v : triangles_[t]) {
         chord = chord || (v != border && border_[v] != 0 && sharedTriangles(border, v) != 1);
       }
@@ -346,7 +348,7 @@ class Decimator {
 
   Vec3 areaAround(Index v) const {
     Vec3 sum = Vec3::Zero();
-    forTrianglesOf(v, [&](Index t, Index) {
+    forEachTriangleAt(v, [&](Index t, Index) {
       const Triangle& i = triangles_[t];
       sum += areaVector2(positions_[i[0]], positions_[i[1]], positions_[i[2]]);
     });
@@ -356,7 +358,7 @@ class Decimator {
   // Whether moving v to the point folds or flattens one of its triangles that stay (those without `other`).
   bool turnsOver(Index v, Index other, const Vec3& point, const Vec3& around) const {
     bool turned = false;
-    forTrianglesOf(v, [&](Index t, Index corner) {
+    forEachTriangleAt(v, [&](Index t, Index corner) {
       const Triangle& triangle = triangles_[t];
       if (turned || uses(triangle, other)) return;
       const Vec3& p = positions_[triangle[(corner + 1) % 3]];
@@ -379,7 +381,7 @@ class Decimator {
     border_[a] = static_cast<char>(border_[a] | border_[b]);
     std::vector<Index>& gone = scratch_;
     gone.clear();
-    forTrianglesOf(b, [&](Index t, Index corner) {
+    forEachTriangleAt(b, [&](Index t, Index corner) {
       if (uses(triangles_[t], a))
         gone.push_back(t);
       else
@@ -420,10 +422,10 @@ class Decimator {
     }
   }
 
-  void pushEdgesOf(Index a) {
+  void pushEdges(Index a) {
     ++round_;
     seen_[a] = round_;
-    forTrianglesOf(a, [&](Index t, Index) {
+    forEachTriangleAt(a, [&](Index t, Index) {
       for (const Index v : triangles_[t]) {
         if (seen_[v] == round_) continue;
         seen_[v] = round_;

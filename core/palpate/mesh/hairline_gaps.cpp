@@ -19,7 +19,7 @@ namespace {
 
 /// Vertices in the box of another part: the only ones that can be near one of its vertices. With many parts querying
 /// each costs more than it saves.
-std::vector<Index> besideOtherParts(const TriangleMesh& mesh, const Components& parts, double distance_mm) {
+std::vector<Index> nearOtherParts(const TriangleMesh& mesh, const Components& parts, double distance_mm) {
   constexpr Index kMaxBoxes = 64;
   std::vector<Eigen::AlignedBox3d> boxes(parts.count);
   std::vector<Index> part_of(mesh.positions.size(), kNoIndex);
@@ -46,7 +46,8 @@ std::vector<Index> besideOtherParts(const TriangleMesh& mesh, const Components& 
 }
 
 /// For each vertex the earliest near one, or itself.
-std::vector<Index> namesOf(const TriangleMesh& mesh, const std::vector<Index>& vertices, double distance_mm) {
+std::vector<Index> findRepresentatives(const TriangleMesh& mesh, const std::vector<Index>& vertices,
+                                       double distance_mm) {
   std::vector<Vec3> positions;
   positions.reserve(vertices.size());
   for (const Index v : vertices) positions.push_back(mesh.positions[v]);
@@ -58,11 +59,11 @@ std::vector<Index> namesOf(const TriangleMesh& mesh, const std::vector<Index>& v
 }
 
 /// Maps a name to its vertex of each part.
-class Namesakes {
+class VerticesByName {
  public:
   /// Only the vertices `near` have namesakes: the others are alone with their names.
-  Namesakes(const TriangleMesh& mesh, const Components& parts, const std::vector<Index>& near,
-            const std::vector<Index>& names) {
+  VerticesByName(const TriangleMesh& mesh, const Components& parts, const std::vector<Index>& near,
+                 const std::vector<Index>& names) {
     std::vector<bool> is_near(mesh.positions.size(), false);
     for (const Index v : near) is_near[v] = true;
     for (Index t = 0; t < mesh.triangles.size(); ++t) {
@@ -82,7 +83,7 @@ class Namesakes {
     return std::span(all_).subspan(static_cast<std::size_t>(first - all_.begin()),
                                    static_cast<std::size_t>(end - first));
   }
-  Index vertexOf(Index name, Index part) const {
+  Index vertexInPart(Index name, Index part) const {
     for (const Entry& entry : of(name)) {
       if (entry[1] == part) return entry[2];
     }
@@ -110,7 +111,7 @@ class WallSearch {
       const Index own = parts_.of_triangle[t];
       const auto [a, b, c] = named(t);
       if (a == b || b == c || c == a) continue;
-      for (const Namesakes::Entry& entry : namesakes_.of(a)) {
+      for (const VerticesByName::Entry& entry : namesakes_.of(a)) {
         const Index other = entry[1];
         if (other == own || !faces(t, other)) continue;
         walls.push_back({std::min(own, other), std::max(own, other), t});
@@ -132,7 +133,7 @@ class WallSearch {
   bool faces(Index t, Index other) const {
     Vec3 way = Vec3::Zero();
     for (const Index v : mesh_.triangles[t]) {
-      const Index there = namesakes_.vertexOf(names_[v], other);
+      const Index there = namesakes_.vertexInPart(names_[v], other);
       if (there == kNoIndex) return false;
       way += mesh_.positions[there] - mesh_.positions[v];
     }
@@ -143,7 +144,7 @@ class WallSearch {
   const TriangleMesh& mesh_;
   const Components& parts_;
   const std::vector<Index>& names_;
-  Namesakes namesakes_;
+  VerticesByName namesakes_;
 };
 
 /// Leaves of two parts' walls those whose edges balance: what is dropped then leaves no border.
@@ -176,9 +177,9 @@ HairlineGaps findHairlineGaps(const TriangleMesh& mesh, double distance_mm) {
   found.is_wall.assign(mesh.triangles.size(), false);
   const Components parts = findComponents(mesh);
   if (parts.count < 2 || !(distance_mm > 0.0)) return found;
-  const std::vector<Index> near = besideOtherParts(mesh, parts, distance_mm);
+  const std::vector<Index> near = nearOtherParts(mesh, parts, distance_mm);
   if (near.empty()) return found;
-  const std::vector<Index> names = namesOf(mesh, near, distance_mm);
+  const std::vector<Index> names = findRepresentatives(mesh, near, distance_mm);
   const WallSearch search(mesh, parts, near, names);
   const std::vector<Wall> all = search.find();
   std::vector<Index> walls;

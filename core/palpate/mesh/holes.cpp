@@ -33,7 +33,7 @@ struct Part {
   bool nearlyClosed() const { return !has_loose_border && hole_area_mm2 <= kNearlyClosedShare * area_mm2; }
 };
 
-std::pair<Index, Index> edgeOf(Index a, Index b) { return std::minmax(a, b); }
+std::pair<Index, Index> undirectedEdge(Index a, Index b) { return std::minmax(a, b); }
 
 class HoleSearch {
  public:
@@ -112,16 +112,16 @@ class HoleSearch {
     const IndexRows triangles = trianglesOfVertices(mesh_);
     std::vector<Index> order(found_.all.size());
     std::iota(order.begin(), order.end(), Index{0});
-    std::stable_sort(order.begin(), order.end(), [&](Index l, Index r) { return sizeOf(l) < sizeOf(r); });
+    std::stable_sort(order.begin(), order.end(), [&](Index l, Index r) { return loopSize(l) < loopSize(r); });
     place_.assign(mesh_.positions.size(), kNoIndex);
     double work = 0.0;
     for (const Index i : order) {
       Hole& hole = found_.all[i];
       Part& part = parts_[hole.part];
       if (!part.nearlyClosed() || joinSides(hole)) continue;
-      const auto n = static_cast<double>(sizeOf(i));
+      const auto n = static_cast<double>(loopSize(i));
       work += n * n * n / 6.0;
-      hole.fate = sizeOf(i) > kMaxHoleEdges || work > kMaxFillingWork ? HoleFate::too_long : HoleFate::fillable;
+      hole.fate = loopSize(i) > kMaxHoleEdges || work > kMaxFillingWork ? HoleFate::too_long : HoleFate::fillable;
       if (hole.fate == HoleFate::too_long) continue;
       fill(hole, triangles);
       part.hole_area_mm2 += hole.area_mm2 - leastArea(mesh_, hole.loop);
@@ -136,7 +136,7 @@ class HoleSearch {
     return true;
   }
 
-  std::size_t sizeOf(Index hole) const { return found_.all[hole].loop.vertices.size(); }
+  std::size_t loopSize(Index hole) const { return found_.all[hole].loop.vertices.size(); }
 
   void fill(Hole& hole, const IndexRows& triangles) {
     const std::vector<Index>& loop = hole.loop.vertices;
@@ -144,7 +144,7 @@ class HoleSearch {
     for (const Index v : loop) places.push_back(mesh_.positions[v]);
     const std::vector<bool> taken = takenDiagonals(loop, triangles);
     const auto filling = triangulateLoop(places, [&](Index i, Index j) {
-      return !taken[std::size_t{i} * loop.size() + j] && !new_edges_.contains(edgeOf(loop[i], loop[j]));
+      return !taken[std::size_t{i} * loop.size() + j] && !new_edges_.contains(undirectedEdge(loop[i], loop[j]));
     });
     if (!filling) {
       hole.fate = HoleFate::no_room;
@@ -153,7 +153,8 @@ class HoleSearch {
     hole.area_mm2 = filling->area;
     for (const auto& [i, k, j] : filling->triangles) {
       hole.filling.push_back({loop[i], loop[k], loop[j]});
-      for (const auto& edge : {edgeOf(loop[i], loop[k]), edgeOf(loop[k], loop[j])}) new_edges_.insert(edge);
+      for (const auto& edge : {undirectedEdge(loop[i], loop[k]), undirectedEdge(loop[k], loop[j])})
+        new_edges_.insert(edge);
     }
   }
 
@@ -188,7 +189,7 @@ class HoleSearch {
 
   bool isCrack(const Hole& hole) const { return hole.width_mm <= kCrackShare * parts_[hole.part].diagonal(); }
 
-  Vec3 normalOf(const Triangle& t) const {
+  Vec3 triangleNormal(const Triangle& t) const {
     return areaVector2(mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]).stableNormalized();
   }
 
@@ -201,14 +202,14 @@ class HoleSearch {
   bool foldsBack(const Hole& hole) const {
     std::map<std::pair<Index, Index>, Vec3> beside;
     for (const Index h : hole.loop.half_edges) {
-      beside[edgeOf(halfEdgeStart(mesh_, h), halfEdgeEnd(mesh_, h))] = normalOf(mesh_.triangles[h / 3]);
+      beside[undirectedEdge(halfEdgeStart(mesh_, h), halfEdgeEnd(mesh_, h))] = triangleNormal(mesh_.triangles[h / 3]);
     }
     const double flat = kCrackShare * parts_[hole.part].diagonal();
     return std::any_of(hole.filling.begin(), hole.filling.end(), [&](const Triangle& t) {
       if (isSliver(mesh_, t, flat)) return false;
       for (std::size_t i = 0; i < 3; ++i) {
-        const auto neighbour = beside.find(edgeOf(t[i], t[(i + 1) % 3]));
-        if (neighbour != beside.end() && neighbour->second.dot(normalOf(t)) < kFoldCosine) return true;
+        const auto neighbour = beside.find(undirectedEdge(t[i], t[(i + 1) % 3]));
+        if (neighbour != beside.end() && neighbour->second.dot(triangleNormal(t)) < kFoldCosine) return true;
       }
       return false;
     });
@@ -225,10 +226,11 @@ class HoleSearch {
       for (const Triangle& t : hole.filling) {
         filled.triangles.push_back(t);
         hole_of.push_back(i);
-        for (std::size_t k = 0; k < 3; ++k) hole_of_edge.emplace(edgeOf(t[k], t[(k + 1) % 3]), i);
+        for (std::size_t k = 0; k < 3; ++k) hole_of_edge.emplace(undirectedEdge(t[k], t[(k + 1) % 3]), i);
       }
       for (std::size_t k = 0; k < hole.loop.vertices.size(); ++k) {  // the border was there before
-        hole_of_edge.erase(edgeOf(hole.loop.vertices[k], hole.loop.vertices[(k + 1) % hole.loop.vertices.size()]));
+        hole_of_edge.erase(
+            undirectedEdge(hole.loop.vertices[k], hole.loop.vertices[(k + 1) % hole.loop.vertices.size()]));
       }
     }
     if (hole_of.empty()) return;

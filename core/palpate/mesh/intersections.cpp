@@ -48,7 +48,7 @@ void include(Box& box, const Box& other) {
 }
 
 /// Rounded outwards, so that a float box never misses what the doubles touch.
-Box boxOf(const Vec3& a, const Vec3& b, const Vec3& c) {
+Box roundedOutBox(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 low = a.cwiseMin(b).cwiseMin(c);
   const Vec3 high = a.cwiseMax(b).cwiseMax(c);
   Box box;
@@ -92,7 +92,7 @@ bool leavesPlane(const Vec3& p, const Vec3& q, const std::array<const Vec3*, 3>&
 
 /// Sharing vertices is the caller's concern. The ends must be clearly on both sides; the crossing point may be on the
 /// border of the triangle, where the lattices of cubes and grids often meet: then it touches.
-Meeting meetingOf(const Vec3& p, const Vec3& q, const std::array<const Vec3*, 3>& t) {
+Meeting classifyMeeting(const Vec3& p, const Vec3& q, const std::array<const Vec3*, 3>& t) {
   if (side(*t[0], *t[1], *t[2], p) * side(*t[0], *t[1], *t[2], q) >= 0) return Meeting::none;
   const std::array<int, 3> turns = {side(p, q, *t[0], *t[1]), side(p, q, *t[1], *t[2]), side(p, q, *t[2], *t[0])};
   const auto [low, high] = std::minmax_element(turns.begin(), turns.end());
@@ -151,7 +151,7 @@ struct BoxTree {
     boxes.reserve(order.size());
     for (const Index t : order) {
       const auto& [a, b, c] = mesh.triangles[t];
-      boxes.push_back(boxOf(mesh.positions[a], mesh.positions[b], mesh.positions[c]));
+      boxes.push_back(roundedOutBox(mesh.positions[a], mesh.positions[b], mesh.positions[c]));
     }
     nodes.assign(2 * leaves, kEmptyBox);
     for (std::size_t i = 0; i < boxes.size(); ++i) include(nodes[leaves + i / kTrianglesPerLeaf], boxes[i]);
@@ -240,7 +240,7 @@ class PairSearch {
       const Index p = edges[i];
       const Index q = edges[(i + 1) % 3];
       if (uses(target, p) || uses(target, q)) continue;
-      const Meeting meeting = meetingOf(mesh_.positions[p], mesh_.positions[q], corners);
+      const Meeting meeting = classifyMeeting(mesh_.positions[p], mesh_.positions[q], corners);
       if (meeting == Meeting::none) continue;
       crossings_.push_back({std::min(p, q), std::max(p, q), pierced, meeting == Meeting::touches});
     }

@@ -48,7 +48,7 @@ struct Caps {
   double volume = 0.0;
 };
 
-double volumeOf(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)) / 6.0; }
+double tetrahedronVolume(const Vec3& a, const Vec3& b, const Vec3& c) { return a.dot(b.cross(c)) / 6.0; }
 
 /// `origins`: one per part.
 std::vector<Caps> capsOfParts(const TriangleMesh& mesh, const std::vector<BorderEdge>& border,
@@ -68,7 +68,7 @@ std::vector<Caps> capsOfParts(const TriangleMesh& mesh, const std::vector<Border
     const Vec3& origin = origins[edge.part];
     const Vec3 &from = mesh.positions[edge.from], &to = mesh.positions[edge.to];
     caps[edge.part].area += 0.5 * areaVector2(to, from, middle).norm();
-    caps[edge.part].volume += volumeOf(to - origin, from - origin, middle - origin);
+    caps[edge.part].volume += tetrahedronVolume(to - origin, from - origin, middle - origin);
   }
   return caps;
 }
@@ -105,7 +105,7 @@ OpenParts findOpenParts(const TriangleMesh& mesh, const EdgeUses& edges) {
     for (const Index t : triangles[part]) {
       const auto& [a, b, c] = mesh.triangles[t];
       const Vec3 &pa = mesh.positions[a], &pb = mesh.positions[b], &pc = mesh.positions[c];
-      volume += volumeOf(pa - origins[part], pb - origins[part], pc - origins[part]);
+      volume += tetrahedronVolume(pa - origins[part], pb - origins[part], pc - origins[part]);
       area += 0.5 * areaVector2(pa, pb, pc).norm();
     }
     const double ball = elementary::pow(area + caps[part].area, 1.5) / (6.0 * std::sqrt(std::numbers::pi));

@@ -94,7 +94,7 @@ class Repairing {
     const SliversRemoved removed = removeSlivers(result_.mesh);
     noteDropped("triangles without area collapsed along a short edge", removed.collapsed);
     note("triangles without height sewn to the neighbour across their long edge", removed.sewn,
-         triangleCount() - given + countOf(removed.collapsed + removed.dropped));
+         triangleCount() - given + toSigned(removed.collapsed + removed.dropped));
     noteDropped("triangles without area dropped", removed.dropped);
   }
 
@@ -103,9 +103,9 @@ class Repairing {
     const DoubledRemoved removed = removeDoubled(result_.mesh);
     noteDropped("duplicate triangles dropped", removed.duplicates);
     note("opposite pairs of triangles cancelled beside the one that is left over", removed.cancelled,
-         -2 * countOf(removed.cancelled));
+         -2 * toSigned(removed.cancelled));
     note("opposite pairs of triangles removed (fins without thickness)", removed.opposite_pairs,
-         -2 * countOf(removed.opposite_pairs));
+         -2 * toSigned(removed.opposite_pairs));
     noteDropped("triangles given from both sides, one side kept", removed.sides);
   }
 
@@ -191,11 +191,11 @@ class Repairing {
     if (result_.mesh.triangles.empty()) throw Error("the mesh has no triangle that can be felt");
   }
 
-  RepairResult takeResult() { return std::move(result_); }
+  RepairResult releaseResult() { return std::move(result_); }
 
  private:
-  static std::ptrdiff_t countOf(std::size_t count) { return static_cast<std::ptrdiff_t>(count); }
-  std::ptrdiff_t triangleCount() const { return countOf(result_.mesh.triangles.size()); }
+  static std::ptrdiff_t toSigned(std::size_t count) { return static_cast<std::ptrdiff_t>(count); }
+  std::ptrdiff_t triangleCount() const { return toSigned(result_.mesh.triangles.size()); }
 
   /// A step that runs again, after holes were filled, adds to its first line.
   void note(std::string what, std::size_t count, std::ptrdiff_t triangles = 0) {
@@ -209,7 +209,7 @@ class Repairing {
       same->triangles += triangles;
     }
   }
-  void noteDropped(std::string what, std::size_t count) { note(std::move(what), count, -countOf(count)); }
+  void noteDropped(std::string what, std::size_t count) { note(std::move(what), count, -toSigned(count)); }
 
   /// Then the measurements of the given mesh still hold; that saves a sound mesh a third of the time.
   bool untouched() const { return result_.actions.empty(); }
@@ -223,15 +223,17 @@ class Repairing {
   void warnOfHolesLeft() {
     if (const std::size_t count = holes_.count(HoleFate::too_long); count > 0) {
       result_.warnings.push_back(fmt::format("{} left open in a nearly closed part: more than {} border edges",
-                                             holesOf(count), kMaxHoleEdges));
+                                             formatHoles(count), kMaxHoleEdges));
     }
     if (const std::size_t count = holes_.count(HoleFate::no_room); count > 0) {
       result_.warnings.push_back(
-          fmt::format("{} left open in a nearly closed part: a filling would overlap the surface", holesOf(count)));
+          fmt::format("{} left open in a nearly closed part: a filling would overlap the surface", formatHoles(count)));
     }
   }
 
-  static std::string holesOf(std::size_t count) { return fmt::format("{} small hole{}", count, count == 1 ? "" : "s"); }
+  static std::string formatHoles(std::size_t count) {
+    return fmt::format("{} small hole{}", count, count == 1 ? "" : "s");
+  }
 
   /// Lengths are compared, because a split border edge does not make a new border.
   void warnOfWhatOpened() {
@@ -276,7 +278,7 @@ RepairResult repair(TriangleMesh mesh, const RepairOptions& options, const Progr
   repairing.separateFans();
   repairing.removeLeftovers();
   repairing.describeResult();
-  return repairing.takeResult();
+  return repairing.releaseResult();
 }
 
 }  // namespace palpate::mesh

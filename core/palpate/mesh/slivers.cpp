@@ -81,7 +81,7 @@ class Sewing {
   }
 
  private:
-  std::span<const EdgeUse> usesOf(Index a, Index b) const {
+  std::span<const EdgeUse> findUses(Index a, Index b) const {
     const auto [low, high] = std::minmax(a, b);
     const auto row_begin = edges_.uses.begin() + edges_.offsets[low];
     const auto row_end = edges_.uses.begin() + edges_.offsets[low + 1];
@@ -95,7 +95,7 @@ class Sewing {
     const Triangle t = mesh_.triangles[sliver];
     const std::size_t edge = longestEdge(mesh_, t);
     const Index third = t[(edge + 2) % 3];
-    const auto uses = usesOf(t[edge], t[(edge + 1) % 3]);
+    const auto uses = findUses(t[edge], t[(edge + 1) % 3]);
     if (std::any_of(uses.begin(), uses.end(), [&](const EdgeUse& u) { return touched_[u.half_edge / 3]; }))
       return false;
     for (const EdgeUse& use : uses) {
@@ -134,7 +134,7 @@ bool anySliver(const TriangleMesh& mesh, double height, Index first) {
                      [&](const Triangle& t) { return isSliver(mesh, t, height); });
 }
 
-void takeOut(TriangleMesh& mesh, double height, Index first, SliversRemoved& removed) {
+void collapseAndSew(TriangleMesh& mesh, double height, Index first, SliversRemoved& removed) {
   const std::size_t most_triangles = mesh.triangles.size() * kMaxGrowth + 1000;
   for (int pass = 0; pass < kMaxPasses && anySliver(mesh, height, first); ++pass) {
     removed.collapsed += collapseShortEdges(mesh, height, first);
@@ -162,14 +162,14 @@ bool isSliver(const TriangleMesh& mesh, const Triangle& t, double height) {
 SliversRemoved removeSlivers(TriangleMesh& mesh) {
   SliversRemoved removed;
   const double height = sliverHeight(mesh);
-  takeOut(mesh, height, 0, removed);
+  collapseAndSew(mesh, height, 0, removed);
   removed.dropped = std::erase_if(mesh.triangles, [&](const Triangle& t) { return isSliver(mesh, t, height); });
   return removed;
 }
 
 void sewCracks(TriangleMesh& mesh, Index first, double height) {
   SliversRemoved removed;
-  takeOut(mesh, height, first, removed);
+  collapseAndSew(mesh, height, first, removed);
 }
 
 }  // namespace palpate::mesh

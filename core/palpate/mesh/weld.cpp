@@ -34,14 +34,14 @@ class CellLists {
       : positions_(positions), distance_(distance_mm), next_(positions.size(), kNoIndex) {}
 
   void add(Index v) {
-    auto [entry, is_new] = first_.try_emplace(hashOf(cellOf(positions_[v])), v);
+    auto [entry, is_new] = first_.try_emplace(hashOf(cellAt(positions_[v])), v);
     if (!is_new) next_[v] = std::exchange(entry->second, v);
   }
 
   Index earliestNear(const Vec3& position) const {
     Index earliest = kNoIndex;
     for (int i = 0; i < 27; ++i) {
-      const Vec3 cell = cellOf(position) + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
+      const Vec3 cell = cellAt(position) + Eigen::Vector3i(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1).cast<double>();
       const auto entry = first_.find(hashOf(cell));
       for (Index v = entry == first_.end() ? kNoIndex : entry->second; v != kNoIndex; v = next_[v]) {
         if ((positions_[v] - position).norm() < distance_) earliest = std::min(earliest, v);
@@ -51,7 +51,7 @@ class CellLists {
   }
 
  private:
-  Vec3 cellOf(const Vec3& p) const { return (p / distance_).array().floor(); }
+  Vec3 cellAt(const Vec3& p) const { return (p / distance_).array().floor(); }
 
   const std::vector<Vec3>& positions_;
   double distance_;

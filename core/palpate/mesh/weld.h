@@ -21,7 +21,7 @@ class ExactWelder {
   void prepare(const Vec3& position) const noexcept;
   static constexpr std::size_t kAhead = 16;
   /// The vertices in the order of their first appearance. Leaves the welder empty.
-  std::vector<Vec3> takePositions() { return std::move(positions_); }
+  std::vector<Vec3> extractPositions() { return std::move(positions_); }
 
  private:
   void grow();

@@ -128,7 +128,7 @@ double volume6(const TriangleMesh& mesh, const Triangle& t, const Vec3& origin) 
   return (mesh.positions[t[0]] - origin).dot((mesh.positions[t[1]] - origin).cross(mesh.positions[t[2]] - origin));
 }
 
-double volumeOf(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& origin) {
+double enclosedVolume(const TriangleMesh& mesh, std::span<const Index> triangles, const Vec3& origin) {
   double six_times = 0.0;
   for (const Index t : triangles) six_times += volume6(mesh, mesh.triangles[t], origin);
   return six_times / 6.0;
@@ -237,7 +237,7 @@ std::size_t turnOutwards(TriangleMesh& mesh, const EdgeUses& edges, const Patche
   std::vector<Index> inside_out;
   for (Index u = 0; u < units.count; ++u) {
     if (!units.closed[u] || triangles[u].empty()) continue;
-    if (volumeOf(mesh, triangles[u], parts.box(u).center()) >= 0.0 || parts.isInsideAnother(u) ||
+    if (enclosedVolume(mesh, triangles[u], parts.box(u).center()) >= 0.0 || parts.isInsideAnother(u) ||
         parts.isSoundWall(u)) {
       continue;
     }

@@ -30,13 +30,13 @@ constexpr double kFarBoneMm = 1e3;
 constexpr double kMaxOfTissue = 0.9;
 
 /// Where the skin goes down by 2 mm of a press of 8, as a share of the region.
-double quarterOf(const tissue::PressCurves& press) {
+double findQuarter(const tissue::PressCurves& press) {
   double q = 0.0;
   while (q < 1.0 && tissue::curveAt(press.down, tissue::kPressBend, q * q).value > 0.25) q += 1.0 / 512.0;
   return q;
 }
 
-double angleOf(std::size_t direction) {
+double directionAngle(std::size_t direction) {
   return 2.0 * std::numbers::pi * static_cast<double>(direction) / static_cast<double>(kDirections);
 }
 
@@ -93,7 +93,7 @@ double valueAt(const std::vector<float>& values, const SectionWalk::Crossing& at
 maps::LogTensor evenPart(const DirectedFactors& factors) noexcept {
   maps::LogTensor even = maps::LogTensor::Zero();
   for (std::size_t i = 0; i < kDirections; ++i) {
-    const double twice = 2.0 * angleOf(i);
+    const double twice = 2.0 * directionAngle(i);
     even += factors[i] * Vec3(1.0, 2.0 * elementary::cos(twice), 2.0 * elementary::sin(twice));
   }
   return even / static_cast<double>(kDirections);
@@ -138,7 +138,7 @@ struct AnatomicalReach::Cover {
       moved[i] = elementary::hypot(tissue::curveAt(press->down, tissue::kPressBend, q * q).value, outward);
     }
   }
-  void keep(double distance_mm, double tissue_mm) noexcept {
+  void limitDepth(double distance_mm, double tissue_mm) noexcept {
     const double place = distance_mm / step_mm;
     if (!(place < kSteps)) return;
     const auto i = static_cast<std::size_t>(place);
@@ -176,7 +176,7 @@ AnatomicalReach::AnatomicalReach(const mesh::TriangleMesh& skin, const tree::Tri
   for (std::size_t row = 0; row <= kRows; ++row) {
     const double thickness = elementary::exp(log_thinnest_ + log_step_ * static_cast<double>(row));
     const tissue::PressCurves press = layered.pressAt(thickness, tissue::kReferenceDepthMm);
-    press_mm_[row] = press.radius_mm * quarterOf(press);
+    press_mm_[row] = press.radius_mm * findQuarter(press);
     const tissue::DragCurve drag = layered.dragAt(thickness);
     drag_mm_[row] = drag.tenth_q * std::sqrt(drag.along_mm * drag.across_mm);
   }
@@ -219,7 +219,7 @@ void AnatomicalReach::walk(const tree::TriangleTree& tree, Index record, const V
   Rates rates = way.here;
   for (int i = 0; i < kMaxCrossings && !way.done(); ++i) {
     if (!walk.next(at)) return way.goOn(ahead, rates);
-    if (cover.step_mm > 0.0) cover.keep((at.point - point).norm(), valueAt(nearest_mm_, at));
+    if (cover.step_mm > 0.0) cover.limitDepth((at.point - point).norm(), valueAt(nearest_mm_, at));
     const double step = way.ahead.dot(at.point - point) - ahead;
     const double rise = normal.dot(at.point - point) - up;
     const double chord = elementary::hypot(step, rise);
@@ -245,7 +245,7 @@ PlaceReach AnatomicalReach::at(const tree::TriangleTree& tree, Index triangle, c
   Cover cover(presses ? request.press : nullptr);
   for (std::size_t i = 0; i < kDirections; ++i) {
     Way way;
-    way.ahead = elementary::cos(angleOf(i)) * place.first + elementary::sin(angleOf(i)) * place.second;
+    way.ahead = elementary::cos(directionAngle(i)) * place.first + elementary::sin(directionAngle(i)) * place.second;
     way.here = here;
     way.press.share = presses ? 0.0 : 1.0;
     way.drag.share = drags ? 0.0 : 1.0;

@@ -20,7 +20,7 @@ namespace {
 constexpr double kSurfaceShare = 0.8;
 
 template <class Extend>
-PlaneBlocks blocksOf(std::size_t count, const Extend& extend) {
+PlaneBlocks buildPlaneBlocks(std::size_t count, const Extend& extend) {
   PlaneBlocks blocks;
   blocks.boxes.resize((count + PlaneBlocks::kSize - 1) / PlaneBlocks::kSize);
   for (std::size_t i = 0; i < count; ++i) extend(i, blocks.boxes[i / PlaneBlocks::kSize]);
@@ -36,7 +36,7 @@ void noteNarrowCracks(const contact::SurfaceGeometry& geometry, std::vector<std:
                   contact::crackWidth(geometry), cracks.count, cracks.at.x(), cracks.at.y(), cracks.at.z()));
 }
 
-std::vector<std::uint8_t> frontOf(const Body& body) {
+std::vector<std::uint8_t> markFront(const Body& body) {
   if (!body.closed || body.anatomy.landmarks.empty()) return {};
   const std::vector<Vec3> normals = mesh::vertexNormals(body.skin);
   std::vector<std::uint8_t> front(normals.size());
@@ -83,12 +83,12 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thi
   if (skin.triangles.size() <= contact::kMostPlanes) body->planes = contact::planesOf(body->geometry);
   noteNarrowCracks(*body->geometry, body->notes);
   body->box = mesh::boundingBox(skin);
-  body->vertex_blocks = blocksOf(
+  body->vertex_blocks = buildPlaneBlocks(
       skin.positions.size(), [&](std::size_t v, Eigen::AlignedBox2d& box) { box.extend(skin.positions[v].head<2>()); });
-  body->triangle_blocks = blocksOf(skin.triangles.size(), [&](std::size_t t, Eigen::AlignedBox2d& box) {
+  body->triangle_blocks = buildPlaneBlocks(skin.triangles.size(), [&](std::size_t t, Eigen::AlignedBox2d& box) {
     for (const Index v : skin.triangles[t]) box.extend(skin.positions[v].head<2>());
   });
-  body->front = frontOf(*body);
+  body->front = markFront(*body);
   making_deformable.join();
   body->thickness_limit_mm = thickness_limit_mm;
   if (thickness_limit_mm) setThickness(thicknessOf(*body, *thickness_limit_mm), body->deformable);

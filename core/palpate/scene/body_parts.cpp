@@ -32,7 +32,7 @@ std::vector<T> permuted(const std::vector<T>& values, const std::vector<Index>& 
 
 /// Of a torso or a trunk, its vertices in the order of `source`.
 template <class Body>
-Anatomy anatomyOf(Body body, const std::vector<Index>& source) {
+Anatomy makeAnatomy(Body body, const std::vector<Index>& source) {
   return {.bones = std::move(body.bones),
           .depth_mm = permuted(body.depth_mm, source),
           .nearest_bone = permuted(body.nearest_bone, source),
@@ -43,12 +43,12 @@ Anatomy anatomyOf(Body body, const std::vector<Index>& source) {
 
 /// What was made, with its skin in the order that is near in memory.
 template <class Made>
-BodyParts partsOf(std::string name, mesh::TriangleMesh& skin, Made& made) {
+BodyParts makeBodyParts(std::string name, mesh::TriangleMesh& skin, Made& made) {
   BodyParts parts;
   parts.name = std::move(name);
   parts.skin = std::move(skin);
   const auto order = mesh::reorderSpatially(parts.skin);
-  parts.anatomy = anatomyOf(std::move(made), order.source_vertex);
+  parts.anatomy = makeAnatomy(std::move(made), order.source_vertex);
   parts.anatomy.bone_radius_mm = boneRadii(parts.skin, parts.anatomy.depth_mm, parts.anatomy.bones);
   return parts;
 }
@@ -60,7 +60,8 @@ BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
   settings.bone_triangles = body.bone_triangles;
   settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
   body::Torso torso = body::makeTorso(settings);
-  return partsOf(fmt::format("built-in torso, {} triangles with bones", settings.triangles), torso.skin.mesh, torso);
+  return makeBodyParts(fmt::format("built-in torso, {} triangles with bones", settings.triangles), torso.skin.mesh,
+                       torso);
 }
 
 BodyParts makeBackParts(const BodySettings& body, const Progress& progress) {
@@ -69,8 +70,8 @@ BodyParts makeBackParts(const BodySettings& body, const Progress& progress) {
   settings.triangles = body.triangles != 0 ? body.triangles : body::kDissertationBackTriangles;
   settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
   body::Torso back = body::makeBackOverBones(settings);
-  return partsOf(fmt::format("built-in back, {} triangles over {} bones", settings.triangles, back.bones.size()),
-                 back.skin.mesh, back);
+  return makeBodyParts(fmt::format("built-in back, {} triangles over {} bones", settings.triangles, back.bones.size()),
+                       back.skin.mesh, back);
 }
 
 BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
@@ -82,7 +83,7 @@ BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
   body::Trunk trunk = body::makeTrunk(settings);
   const std::optional<body::Support> support = trunk.support;
   BodyParts parts =
-      partsOf(fmt::format("built-in trunk, {} triangles with bones", settings.triangles), trunk.skin, trunk);
+      makeBodyParts(fmt::format("built-in trunk, {} triangles with bones", settings.triangles), trunk.skin, trunk);
   parts.closed = true;
   parts.anatomy.support = support;
   return parts;
@@ -101,7 +102,7 @@ BodyParts builtInParts(const BodySettings& settings, const Progress& progress) {
     return std::move(*kept);
   }
   BodyParts parts = makeBuiltInParts(settings, progress);
-  keepBody(settings, parts);
+  storeBody(settings, parts);
   return parts;
 }
 

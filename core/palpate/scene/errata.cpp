@@ -130,7 +130,7 @@ Erratum requireErratum(std::string_view name, std::string_view words) {
   const Erratum erratum = erratumNamed(name);
   if (erratum != Erratum::none) return erratum;
   throw Error(fmt::format("fidelity is \"{}\" or errata such as E14,E29; not '{}'",
-                          fmt::join(allWords<Reading>(), "\", \""), words));
+                          fmt::join(enumNames<Reading>(), "\", \""), words));
 }
 
 }  // namespace

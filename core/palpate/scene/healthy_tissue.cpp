@@ -51,8 +51,8 @@ std::vector<double> healthyStiffness(const Scene& scene, const Body& body, const
 }
 
 /// N/mm a mm along the skin; 0 for a triangle without area.
-double steepnessOf(const mesh::TriangleMesh& skin, const std::array<Index, 3>& t,
-                   const std::vector<double>& stiffness) {
+double stiffnessGradient(const mesh::TriangleMesh& skin, const std::array<Index, 3>& t,
+                         const std::vector<double>& stiffness) {
   const Vec3 a = skin.positions[t[1]] - skin.positions[t[0]];
   const Vec3 b = skin.positions[t[2]] - skin.positions[t[0]];
   const double area = a.cross(b).norm();
@@ -62,11 +62,11 @@ double steepnessOf(const mesh::TriangleMesh& skin, const std::array<Index, 3>& t
 }
 
 /// The first of the steepest among these triangles; of none: flat.
-SteepPlace steepestOf(const mesh::TriangleMesh& skin, std::size_t block, const std::vector<double>& stiffness) {
+SteepPlace findSteepest(const mesh::TriangleMesh& skin, std::size_t block, const std::vector<double>& stiffness) {
   SteepPlace steepest;
   const std::size_t end = std::min((block + 1) * PlaneBlocks::kSize, skin.triangles.size());
   for (std::size_t t = block * PlaneBlocks::kSize; t < end; ++t) {
-    const double steepness = steepnessOf(skin, skin.triangles[t], stiffness);
+    const double steepness = stiffnessGradient(skin, skin.triangles[t], stiffness);
     if (steepness > steepest.n_per_mm_in_a_mm) steepest = {steepness, t};
   }
   return steepest;
@@ -103,7 +103,7 @@ double nearestVertexMm(const std::vector<Vec3>& positions, const Vec2& centre) {
 struct VertexRange {
   std::size_t from, to;
 };
-VertexRange verticesOf(const Body& body, std::size_t block) {
+VertexRange vertexRange(const Body& body, std::size_t block) {
   const std::size_t from = block * PlaneBlocks::kSize;
   return {from, std::min(from + PlaneBlocks::kSize, body.skin.positions.size())};
 }
@@ -112,7 +112,7 @@ bool isFelt(const Body& body, const maps::Dysfunction& d) {
   const Vec2 centre(d.x_mm, d.y_mm);
   for (std::size_t block = 0; block < body.vertex_blocks.boxes.size(); ++block) {
     if (!reaches(d, body.vertex_blocks.boxes[block])) continue;
-    const auto [from, to] = verticesOf(body, block);
+    const auto [from, to] = vertexRange(body, block);
     for (std::size_t v = from; v < to; ++v) {
       if (std::sqrt((body.skin.positions[v].head<2>() - centre).squaredNorm()) < d.radius_mm) return true;
     }
@@ -135,7 +135,7 @@ void noteUnfelt(const std::vector<maps::Dysfunction>& dysfunctions, const Body& 
 /// The map plane is seen from behind: what is wrong with the back of the trunk leaves its front as it is.
 void applyInBlock(const Scene& scene, const Body& body, const std::vector<double>& healthy, std::size_t block,
                   std::vector<double>& stiffness) {
-  const auto [from, to] = verticesOf(body, block);
+  const auto [from, to] = vertexRange(body, block);
   maps::applyDysfunctions(std::span(body.skin.positions).subspan(from, to - from), scene.dysfunctions,
                           std::span(stiffness).subspan(from, to - from));
   if (body.front.empty()) return;
@@ -164,7 +164,7 @@ std::shared_ptr<const HealthyTissue> healthyTissue(const Scene& scene, const Bod
   maps::applyVariation(body.skin.positions, settings.variation, stiffness);
   healthy.steepest.resize(body.triangle_blocks.boxes.size());
   for (std::size_t block = 0; block < healthy.steepest.size(); ++block) {
-    healthy.steepest[block] = steepestOf(body.skin, block, stiffness);
+    healthy.steepest[block] = findSteepest(body.skin, block, stiffness);
   }
   healthy.stiffness_n_per_mm = std::make_shared<const std::vector<double>>(std::move(stiffness));
   return std::make_shared<const HealthyTissue>(std::move(healthy));
@@ -192,7 +192,7 @@ DiseasedStiffness diseasedStiffness(const Scene& scene, const Body& body, const 
   if (own) diseased.n_per_mm = std::move(own);
   for (std::size_t block = 0; block < healthy.steepest.size(); ++block) {
     const bool changed = anyReaches(scene.dysfunctions, body.triangle_blocks.boxes[block]);
-    const SteepPlace steepest = changed ? steepestOf(body.skin, block, *diseased.n_per_mm) : healthy.steepest[block];
+    const SteepPlace steepest = changed ? findSteepest(body.skin, block, *diseased.n_per_mm) : healthy.steepest[block];
     if (steepest.n_per_mm_in_a_mm > diseased.steepest.n_per_mm_in_a_mm) diseased.steepest = steepest;
   }
   noteUnfelt(scene.dysfunctions, body, notes);

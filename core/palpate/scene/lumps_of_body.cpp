@@ -107,7 +107,7 @@ struct Foot {
   double tissue_mm = 0.0;  ///< 0: not known
 };
 
-Foot footOf(const LumpSettings& lump, const LumpBed& bed) {
+Foot findFoot(const LumpSettings& lump, const LumpBed& bed) {
   const Box3& box = bed.body.box;
   const contact::SurfaceGeometry& geometry = *bed.body.geometry;
   const tree::Crossing hit = tree::firstFrontCrossing(geometry.tree, {lump.x_mm, lump.y_mm, box.max().z() + 1.0},
@@ -197,7 +197,7 @@ const PlacedLump* sameTable(const World* before, const std::vector<double>& numb
   return nullptr;
 }
 
-contact::LumpMobility mobilityOf(const LumpSettings& lump) {
+contact::LumpMobility makeMobility(const LumpSettings& lump) {
   contact::LumpMobility mobility;
   if (!(lump.mobility_mm_per_n > 0.0)) return mobility;
   mobility.spring_n_per_mm = 1.0 / lump.mobility_mm_per_n;
@@ -221,7 +221,7 @@ tissue::LumpEnergy tableOf(const LumpSettings& settings, const tissue::LumpShape
 }
 
 PlacedLump placed(const LumpSettings& settings, const LumpBed& bed, const LumpGround& ground) {
-  const Foot foot = footOf(settings, bed);
+  const Foot foot = findFoot(settings, bed);
   const double thickness_mm = foot.tissue_mm > 0.0 ? foot.tissue_mm : ground.thickest();
   const tissue::LayerStack stack = ground.stackAt(thickness_mm);
   const tissue::LumpShape shape = shapeOf(settings);
@@ -235,7 +235,7 @@ PlacedLump placed(const LumpSettings& settings, const LumpBed& bed, const LumpGr
   const double factor = secant > 0.0 ? foot.stiffness_n_per_mm / secant : 1.0;
   contact::Lump lump{.foot = foot.point, .axis = foot.normal, .energy = table.scaled(factor), .shape = shape};
   lump.skin_mm = stack.layers.front().thickness_mm;
-  lump.mobility = mobilityOf(settings);
+  lump.mobility = makeMobility(settings);
   contact::setPlane(lump);
   PlacedLump result{.name = settings.name,
                     .settings = settings,
@@ -291,7 +291,7 @@ tissue::PressedPlace fingertipAt(const PlacedLump& lump) { return {lump.thicknes
 
 /// The factor on a lump's energy that keeps the force right over it, as a fingertip feels it, below the steepest that
 /// tissue may be. Where the skin alone is nearly that steep a lump may still add a quarter of it.
-double boundOf(const PlacedLump& placed, double stiffness_n_per_mm, const tissue::ForceLaw& law) {
+double energyLimitFactor(const PlacedLump& placed, double stiffness_n_per_mm, const tissue::ForceLaw& law) {
   constexpr double kStepMm = 0.25;
   constexpr double kAlways = 0.25;
   double factor = 1.0;
@@ -307,7 +307,7 @@ double boundOf(const PlacedLump& placed, double stiffness_n_per_mm, const tissue
 }
 
 double stiffnessOver(const PlacedLump& placed, const LumpBed& bed) {
-  return footOf(placed.settings, bed).stiffness_n_per_mm;
+  return findFoot(placed.settings, bed).stiffness_n_per_mm;
 }
 
 /// One factor for all, so that lumps keep their ratios.
@@ -315,7 +315,7 @@ void boundAll(std::vector<PlacedLump>& all, const LumpBed& bed, std::vector<std:
   double factor = 1.0;
   const PlacedLump* steepest = nullptr;
   for (const PlacedLump& placed : all) {
-    const double own = boundOf(placed, stiffnessOver(placed, bed), bed.surface.force_law);
+    const double own = energyLimitFactor(placed, stiffnessOver(placed, bed), bed.surface.force_law);
     if (own < factor) steepest = &placed;
     factor = std::min(factor, own);
   }

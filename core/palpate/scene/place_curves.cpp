@@ -40,7 +40,7 @@ FittedCurve requiredCurve(const tissue::ProfileSettings& profile, double bend, s
                   key, wordFor(profile.kind), 100.0 * fitted.error, 100.0 * kMaxCurveError));
 }
 
-std::string placeInWords(const PlaceProfile& place) {
+std::string formatPlace(const PlaceProfile& place) {
   return place.at.empty() ? fmt::format("({:g}, {:g}) mm", place.x_mm, place.y_mm) : place.at;
 }
 
@@ -115,7 +115,7 @@ std::shared_ptr<const PlaceCurves> placeCurvesOf(const Scene& scene, const defor
     notes.push_back(fmt::format(
         "at {} the skin follows the profiles \"{}\" (press) and \"{}\" (drag) of [[profile]], drawn to "
         "{:.1f} %, in regions of [deformation]; its force stays",
-        placeInWords(place), wordFor(place.press), wordFor(place.drag), 100.0 * std::max(press.error, drag.error)));
+        formatPlace(place), wordFor(place.press), wordFor(place.drag), 100.0 * std::max(press.error, drag.error)));
   }
   return std::make_shared<const PlaceCurves>(std::move(curves));
 }

@@ -102,7 +102,7 @@ void raise(const LumpSettings& lump, BodyParts& body) {
   }
 }
 
-std::vector<const LumpSettings*> swellingsOf(const Scene& scene) {
+std::vector<const LumpSettings*> findSwellings(const Scene& scene) {
   std::vector<const LumpSettings*> swellings;
   for (const LumpSettings& lump : scene.lumps) {
     if (lump.raise_mm > 0.0) swellings.push_back(&lump);
@@ -119,7 +119,7 @@ bool areAlike(const LumpSettings& one, const LumpSettings& other) {
 }  // namespace
 
 void raiseSkin(const Scene& scene, BodyParts& body) {
-  for (const LumpSettings* lump : swellingsOf(scene)) {
+  for (const LumpSettings* lump : findSwellings(scene)) {
     try {
       raise(*lump, body);
     } catch (const Error& error) {
@@ -130,8 +130,8 @@ void raiseSkin(const Scene& scene, BodyParts& body) {
 }
 
 bool raiseAlike(const Scene& one, const Scene& other) {
-  const std::vector<const LumpSettings*> here = swellingsOf(one);
-  const std::vector<const LumpSettings*> there = swellingsOf(other);
+  const std::vector<const LumpSettings*> here = findSwellings(one);
+  const std::vector<const LumpSettings*> there = findSwellings(other);
   return std::equal(here.begin(), here.end(), there.begin(), there.end(),
                     [](const LumpSettings* a, const LumpSettings* b) { return areAlike(*a, *b); });
 }

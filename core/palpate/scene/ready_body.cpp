@@ -253,9 +253,9 @@ std::optional<BodyParts> keptBody(const BodySettings& settings) {
   }
 }
 
-void keepBody(const BodySettings& settings, const BodyParts& parts) {
-  if (bodyStore().keep && fits(parts)) {
-    bodyStore().keep(bodyRecipe(settings), encodedBody({settings.triangles, parts}));
+void storeBody(const BodySettings& settings, const BodyParts& parts) {
+  if (bodyStore().save && fits(parts)) {
+    bodyStore().save(bodyRecipe(settings), encodedBody({settings.triangles, parts}));
   }
 }
 

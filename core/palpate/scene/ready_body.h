@@ -2,7 +2,7 @@
 // body; a program finds in its user's folder what an earlier run has made.
 //
 //   makeBody ─ encodedBody ─► file ─► decodeBody ─► scene::buildOn
-//   makeBody ─ keepBody ─► BodyStore, installed by the host ─► keptBody ─► makeBody of a later run
+//   makeBody ─ storeBody ─► BodyStore, installed by the host ─► keptBody ─► makeBody of a later run
 //
 // Depths to the bones and how narrow these are are in it, a fifth of the file: measuring them again takes a third of a
 // second.
@@ -36,13 +36,13 @@ std::string bodyRecipe(const BodySettings& settings);
 /// Bodies that were made before, by their recipes. The core has no files: the host installs one that keeps them.
 struct BodyStore {
   std::function<std::optional<std::string>(std::string_view recipe)> find;
-  std::function<void(std::string_view recipe, std::string_view bytes)> keep;
+  std::function<void(std::string_view recipe, std::string_view bytes)> save;
 };
 /// Installed once, while the program starts. An empty one keeps nothing.
 void setBodyStore(BodyStore store);
 
 /// Nothing where the store has none of these settings, or where its bytes are not a whole body.
 std::optional<BodyParts> keptBody(const BodySettings& settings);
-void keepBody(const BodySettings& settings, const BodyParts& parts);
+void storeBody(const BodySettings& settings, const BodyParts& parts);
 
 }  // namespace palpate::scene

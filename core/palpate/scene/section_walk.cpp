@@ -13,7 +13,7 @@ constexpr double kInside = 1e-3;
 bool differ(double first, double second) { return (first >= 0.0) != (second >= 0.0); }
 
 /// The side of the record that is this edge, seen from its neighbour.
-std::size_t entryOf(const tree::TriangleRecord& record, const std::array<Index, 2>& edge) noexcept {
+std::size_t entrySide(const tree::TriangleRecord& record, const std::array<Index, 2>& edge) noexcept {
   for (std::size_t i = 0; i < 2; ++i) {
     if (record.vertices[i] == edge[1] && record.vertices[i + 1] == edge[0]) return i;
   }
@@ -58,7 +58,7 @@ bool SectionWalk::next(Crossing& crossing) noexcept {
   record_ = left.neighbours[exit_];
   if (record_ == kNoIndex) return true;
   const tree::TriangleRecord& record = tree_.records[record_];
-  const std::size_t entry = entryOf(record, crossing.vertices);
+  const std::size_t entry = entrySide(record, crossing.vertices);
   const std::size_t third = (entry + 2) % 3;
   const double side = sideOf(record.corners[third]);
   // The edge it came by runs from the old second to the old first corner.

@@ -8,7 +8,7 @@ namespace palpate::scene {
 
 namespace {
 
-SkinScalar scalarOf(mesh::VertexScalar channel) {
+SkinScalar toSkinScalar(mesh::VertexScalar channel) {
   SkinScalar scalar{.name = std::move(channel.name), .values = std::move(channel.values)};
   bool any = false;
   for (const float value : scalar.values) {
@@ -32,7 +32,7 @@ std::shared_ptr<const SkinChannels> skinChannels(const mesh::VertexChannels& of_
                                                  std::vector<Index> source_vertex) {
   mesh::VertexChannels of_skin = mesh::followed(of_file, source_vertex);
   SkinChannels channels;
-  for (mesh::VertexScalar& scalar : of_skin.scalars) channels.scalars.push_back(scalarOf(std::move(scalar)));
+  for (mesh::VertexScalar& scalar : of_skin.scalars) channels.scalars.push_back(toSkinScalar(std::move(scalar)));
   channels.colours = std::move(of_skin.colours);
   channels.source_vertex = std::move(source_vertex);
   return std::make_shared<const SkinChannels>(std::move(channels));

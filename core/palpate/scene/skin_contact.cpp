@@ -125,7 +125,7 @@ std::optional<deform::Contact> contactAsFelt(const World& world, contact::Finger
   return withPlaceCurve(*world.place_curves, deform::formedRegions(*plain, forms), *contact);
 }
 
-Vec3 normalOf(const mesh::TriangleMesh& skin, Index triangle) noexcept {
+Vec3 triangleNormal(const mesh::TriangleMesh& skin, Index triangle) noexcept {
   const auto& [a, b, c] = skin.triangles[triangle];
   return mesh::areaVector2(skin.positions[a], skin.positions[b], skin.positions[c]).normalized();
 }
@@ -148,7 +148,7 @@ std::optional<deform::Contact> dentOf(const World& world, const contact::FingerO
   contact::FingerOutput left;
   left.tip = left.proxy = left.anchor = left.hold = dent.place;
   left.triangle = left.anchor_triangle = dent.triangle;
-  left.normal = normalOf(world.body->skin, dent.triangle);
+  left.normal = triangleNormal(world.body->skin, dent.triangle);
   left.depth_mm = depthAtRest(world, dent.rest_mm, dent.triangle, finger.finger_mm);
   left.touch = contact::Touch::stick;
   return contactAsFelt(world, left);

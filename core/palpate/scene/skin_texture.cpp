@@ -44,7 +44,7 @@ std::string checkedPicture(const TextureSource& source) {
   return picture;
 }
 
-mesh::TexturedMesh texturedMeshOf(const BodySettings& body, const Progress& progress) {
+mesh::TexturedMesh loadTexturedMesh(const BodySettings& body, const Progress& progress) {
   mesh::LoadOptions options = loadOptionsOf(body);
   mesh::TexturedMesh textured = mesh::loadTextured(body.file, options, progress);
   if (textured.mesh.triangles.empty()) {
@@ -117,7 +117,7 @@ std::shared_ptr<const SkinTexture> loadSkinTexture(const BodySettings& body, con
   if (body.kind != BodyKind::mesh) {
     return std::make_shared<const SkinTexture>(SkinTexture{body.texture, std::move(picture), backAndFront(skin)});
   }
-  const mesh::TexturedMesh textured = texturedMeshOf(body, progress);
+  const mesh::TexturedMesh textured = loadTexturedMesh(body, progress);
   return std::make_shared<const SkinTexture>(
       SkinTexture{body.texture, std::move(picture), mesh::textureOn(skin, textured, progress)});
 }

@@ -52,7 +52,7 @@ std::optional<std::vector<SolvedPush>> solvedPushes(const tissue::LumpShape& lum
   }
   if (!lumpSolver()) return std::nullopt;
   std::vector<SolvedPush> pushes = lumpSolver()(lump, stack);
-  if (store.keep) store.keep(name, pushes);
+  if (store.save) store.save(name, pushes);
   return pushes;
 }
 

@@ -28,7 +28,7 @@ using LumpSolver =
 /// Where solved lumps are kept, by a number that names the lump and its layers.
 struct LumpStore {
   std::function<std::optional<std::vector<SolvedPush>>(std::uint64_t name)> find;
-  std::function<void(std::uint64_t name, std::span<const SolvedPush> pushes)> keep;
+  std::function<void(std::uint64_t name, std::span<const SolvedPush> pushes)> save;
 };
 
 /// Given once each, while the program starts.

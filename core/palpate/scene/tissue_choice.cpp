@@ -108,7 +108,7 @@ TissueChoice tissueChoice(const Scene& scene, const deform::FormSettings& forms,
   return choice;
 }
 
-std::string inWords(const TissueChoice& choice) {
+std::string describe(const TissueChoice& choice) {
   return fmt::format("{}, {}", nameOfTissue(choice.model), nameOfLaw(choice.law));
 }
 
@@ -121,7 +121,7 @@ std::string tissueNote(const Scene& scene, const TissueChoice& choice, const std
   const auto [soft, stiff] = std::minmax_element(stiffness_n_per_mm.begin(), stiffness_n_per_mm.end());
   return fmt::format(
       "no layers because of {}: {}, stiffness {:.2f} to {:.2f} N/mm (docs/reference/scene-files.md, tissue)", why,
-      inWords(choice), *soft, *stiff);
+      describe(choice), *soft, *stiff);
 }
 
 }  // namespace palpate::scene

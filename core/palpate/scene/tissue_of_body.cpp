@@ -96,7 +96,7 @@ std::vector<tissue::LayeredNode> solvedNodes(const Scene& scene) {
   }
 }
 
-std::vector<tissue::LayeredNode> nodesOf(const Scene& scene) {
+std::vector<tissue::LayeredNode> makeLayeredNodes(const Scene& scene) {
   std::vector<tissue::LayeredNode> nodes = solvedNodes(scene);
   if (scene.tissue.by_finger_radius) return nodes;
   for (tissue::LayeredNode& node : nodes) node.fingers.clear();
@@ -209,7 +209,7 @@ PlacedTissue placedTissue(const Scene& scene, const std::vector<double>& bone_de
                           std::shared_ptr<const tissue::LayeredTissue> given) {
   static_cast<void>(farReachingDrag());  // not while a finger waits
   PlacedTissue placed;
-  placed.layered = given ? std::move(given) : std::make_shared<const tissue::LayeredTissue>(nodesOf(scene));
+  placed.layered = given ? std::move(given) : std::make_shared<const tissue::LayeredTissue>(makeLayeredNodes(scene));
   placed.thickness_mm.reserve(bone_depth_mm.size());
   for (const double depth : bone_depth_mm) {
     const double usual = std::isfinite(depth) ? depth : placed.layered->thickest();

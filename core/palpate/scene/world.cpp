@@ -40,7 +40,7 @@ constexpr double kBackRadiusMm = 150.0;
 constexpr double kRadiusOfDiagonal = 0.15;
 
 /// The user's, or on a built-in body the dissertation's; a mesh has none of its own.
-KeyPoints keyPointsOf(const Scene& scene) {
+KeyPoints loadKeyPoints(const Scene& scene) {
   if (!scene.ellipses.key_points.empty()) return maps::readKeyPoints(scene.ellipses.key_points);
   if (scene.body.kind == BodyKind::mesh) return {};
   maps::MeasuredDataChoice measured = scene.ellipses.measured;
@@ -164,7 +164,7 @@ void noteOldLimits(const SafetySettings& safety, std::vector<std::string>& notes
 
 // ---- how it moves
 
-std::optional<body::BreathField> breathOf(const Scene& scene, const Body& body, std::vector<std::string>& notes) {
+std::optional<body::BreathField> makeBreath(const Scene& scene, const Body& body, std::vector<std::string>& notes) {
   if (!scene.breathing.on) return std::nullopt;
   const double front_z = body.box.min().z();
   auto breath = body::BreathField::of(scene.breathing, body.anatomy.landmarks, body.anatomy.support, front_z);
@@ -211,8 +211,9 @@ struct OwnSkin {
   deform::Skin skin;
 };
 
-std::shared_ptr<const deform::Skin> deformableOf(const std::shared_ptr<const Body>& body,
-                                                 const deform::FormSettings& forms, bool layered, const World* before) {
+std::shared_ptr<const deform::Skin> makeDeformable(const std::shared_ptr<const Body>& body,
+                                                   const deform::FormSettings& forms, bool layered,
+                                                   const World* before) {
   const std::optional<double> limit_mm = thicknessLimit(forms, layered);
   if (limit_mm == body->thickness_limit_mm) return {body, &body->deformable};
   if (before != nullptr && thicknessLimit(before->deformation, before->layered != nullptr) == limit_mm) {
@@ -237,10 +238,10 @@ std::shared_ptr<const std::vector<double>> halved(std::vector<double> stiffness_
 }
 
 /// `before`: a world of the same body, or null.
-std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const Body> body, deform::FormSettings forms,
-                                     const World* before, const Progress& progress) {
+std::shared_ptr<const World> assembleWorld(const Scene& asked, std::shared_ptr<const Body> body,
+                                           deform::FormSettings forms, const World* before, const Progress& progress) {
   const Scene scene = withPlaces(asked, body->anatomy.landmarks);
-  const KeyPoints keys = keyPointsOf(scene);
+  const KeyPoints keys = loadKeyPoints(scene);
   report(progress, "mapping stiffness", 0.0);
   std::vector<std::string> notes = body->notes;
   noteUnknownScalar(scene, body->channels.get(), notes);
@@ -256,7 +257,7 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
   }
   noteSteepMap(body->skin, stiffness.steepest, 1.0 / scene.ticks_per_s, notes);
   auto place_curves = placeCurvesOf(scene, forms, notes);
-  const std::optional<body::BreathField> breath = breathOf(scene, *body, notes);
+  const std::optional<body::BreathField> breath = makeBreath(scene, *body, notes);
   report(progress, "mapping stiffness", 0.8);
   contact::Surface surface =
       contact::surfaceOf(body->geometry, std::move(stiffness.n_per_mm),
@@ -271,7 +272,7 @@ std::shared_ptr<const World> worldOf(const Scene& asked, std::shared_ptr<const B
 
   report(progress, "preparing the deformation", 0.0);
   const std::shared_ptr<const tissue::LayeredTissue> layered = healthy->tissue.layered;
-  auto deformable = deformableOf(body, forms, layered != nullptr, before);
+  auto deformable = makeDeformable(body, forms, layered != nullptr, before);
   report(progress, "preparing the deformation", 0.5);
   const maps::EllipseMapSettings map_settings = ellipseMapSettings(scene, *body);
   maps::AnyEllipseMap ellipses(keys, map_settings, literalMapForms(scene));
@@ -303,7 +304,7 @@ std::shared_ptr<const World> firstWorld(const Scene& scene, BodyParts parts, def
   const bool has_bones = !parts.anatomy.depth_mm.empty();
   const bool layered = tissueChoice(scene, forms, has_bones).model == TissueModel::layered;
   auto body = builtBody(std::move(parts), thicknessLimit(forms, layered), progress);
-  return worldOf(scene, std::move(body), std::move(forms), nullptr, progress);
+  return assembleWorld(scene, std::move(body), std::move(forms), nullptr, progress);
 }
 
 }  // namespace
@@ -328,7 +329,7 @@ std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, con
 
 std::shared_ptr<const World> rebuiltOnItsSkin(const World& world, const Scene& scene, const Progress& progress) {
   if (!raiseAlike(world.scene, scene)) throw Error("another swelling needs another body");
-  return worldOf(scene, world.body, formsOf(scene), &world, progress);
+  return assembleWorld(scene, world.body, formsOf(scene), &world, progress);
 }
 
 contact::FingerSettings contactSettings(const Scene& scene, const Finger& finger) {

@@ -29,7 +29,7 @@ namespace palpate::scene {
 //
 // Layers have curves, regions and a law of their own. A scene that writes a profile, a region or a printed form of
 // either cannot have both: it gets the half Gaussian and, with the law "layered", Hooke's. Reports and panels name what
-// acts (inWords), World::notes say why (tissueNote).
+// acts (describe), World::notes say why (tissueNote).
 
 struct Scene;
 
@@ -46,7 +46,7 @@ struct TissueChoice {
 TissueChoice tissueChoice(const Scene& scene, const deform::FormSettings& forms, bool has_bones);
 
 /// "layered tissue, force by its layers", "half-Gaussian tissue, force F = k d"
-std::string inWords(const TissueChoice& choice);
+std::string describe(const TissueChoice& choice);
 
 /// A line for World::notes: what the scene does not get that it asks for, why, and how stiff the body is now; empty
 /// where it gets what it asks for, and for a mesh without bones, which never has layers.

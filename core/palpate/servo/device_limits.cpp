@@ -170,8 +170,8 @@ std::vector<FeltPlace> feltPlaces(const scene::World& world, double finger_mm, d
   return places;
 }
 
-PassivitySettings passivityOf(const scene::SafetySettings& safety, const device::DeviceProfile& profile, double force_n,
-                              double tick_s) {
+PassivitySettings makePassivity(const scene::SafetySettings& safety, const device::DeviceProfile& profile,
+                                double force_n, double tick_s) {
   const bool identified = isIdentified(safety);
   const Trust trust = identified ? kIdentified : kAssumed;
   return {.on = safety.passivity && stableStiffness(tick_s, safety.delay_ticks, profile) > 0.0,
@@ -204,7 +204,7 @@ constexpr std::array kGuards = {
           kLoosestGuard* kUsual.max_force_rate_n_per_ms},
 };
 
-double mostOf(const Guard& guard, const device::DeviceProfile& profile) {
+double upperLimit(const Guard& guard, const device::DeviceProfile& profile) {
   return guard.of_motion ? guard.most * std::max(1.0, profile.motion_scale) : guard.most;
 }
 
@@ -217,8 +217,8 @@ scene::SafetySettings withoutConsent(scene::SafetySettings asked) {
 bool exceedsSafe(const scene::SafetySettings& asked, const device::DeviceProfile& profile, double tick_s) {
   if (!asked.unsafe_stiffness) return false;
   const scene::SafetySettings safe = withoutConsent(asked);
-  const scene::SafetySettings held = heldSafety(asked, profile);
-  const scene::SafetySettings kept = heldSafety(safe, profile);
+  const scene::SafetySettings held = effectiveSafety(asked, profile);
+  const scene::SafetySettings kept = effectiveSafety(safe, profile);
   return stiffnessCap(asked, profile, tick_s) > stiffnessCap(safe, profile, tick_s) ||
          device::largestForceN(asked, profile) > device::largestForceN(safe, profile) ||
          held.passivity != kept.passivity || held.soft_contact != kept.soft_contact;
@@ -237,7 +237,7 @@ double stableStiffness(double tick_s, double delay_ticks, const device::DevicePr
   return 0.0;
 }
 
-std::string whyRefused(const device::DeviceProfile& profile, double tick_s, double delay_ticks) {
+std::string refusalReason(const device::DeviceProfile& profile, double tick_s, double delay_ticks) {
   if (stableStiffness(tick_s, delay_ticks, profile) > 0.0) return {};
   return fmt::format(
       "no stiffness is stable at {:.4g} Hz with {:.3g} ticks of delay on {}; set `ticks_per_s` higher, or "
@@ -247,16 +247,16 @@ std::string whyRefused(const device::DeviceProfile& profile, double tick_s, doub
 
 void requireStable(const device::DeviceProfile& profile, const scene::SafetySettings& safety, double tick_s) {
   if (!profile.open) return;
-  const double delay_ticks = heldSafety(safety, profile).delay_ticks;
-  if (const std::string why = whyRefused(profile, tick_s, delay_ticks); !why.empty()) throw Error(why);
+  const double delay_ticks = effectiveSafety(safety, profile).delay_ticks;
+  if (const std::string why = refusalReason(profile, tick_s, delay_ticks); !why.empty()) throw Error(why);
 }
 
-scene::SafetySettings heldSafety(const scene::SafetySettings& asked, const device::DeviceProfile& profile) {
+scene::SafetySettings effectiveSafety(const scene::SafetySettings& asked, const device::DeviceProfile& profile) {
   scene::SafetySettings held = asked;
   held.delay_ticks = std::max(asked.delay_ticks, profile.delay_ticks);
   if (!profile.open) return held;
   for (const Guard& guard : kGuards) {
-    held.*guard.member = std::clamp(asked.*guard.member, guard.least, mostOf(guard, profile));
+    held.*guard.member = std::clamp(asked.*guard.member, guard.least, upperLimit(guard, profile));
   }
   held.passivity = asked.passivity || !asked.unsafe_stiffness;
   held.soft_contact = asked.soft_contact || !asked.unsafe_stiffness;
@@ -275,7 +275,7 @@ double stiffnessCap(const scene::SafetySettings& safety, const device::DevicePro
 std::vector<std::string> safetyNotes(const scene::SafetySettings& asked, const device::DeviceProfile& profile,
                                      double tick_s) {
   const scene::SafetySettings safe = withoutConsent(asked);
-  const scene::SafetySettings held = heldSafety(asked, profile);
+  const scene::SafetySettings held = effectiveSafety(asked, profile);
   const double scale = profile.motion_scale;  // a cap is requested as the hand feels it
   const double safe_cap = scale * stiffnessCap(safe, profile, tick_s);
   const double cap = scale * stiffnessCap(asked, profile, tick_s);
@@ -340,7 +340,7 @@ double stiffnessFactor(const tissue::ForceLaw& law, double stiffness_n_per_mm, d
 
 LimiterSettings limiterSettings(const scene::SafetySettings& asked, const device::DeviceProfile& profile,
                                 double tick_s) {
-  const scene::SafetySettings safety = heldSafety(asked, profile);
+  const scene::SafetySettings safety = effectiveSafety(asked, profile);
   LimiterSettings settings;
   settings.unsafe = exceedsSafe(asked, profile, tick_s);
   settings.tick_s = tick_s;
@@ -353,7 +353,7 @@ LimiterSettings limiterSettings(const scene::SafetySettings& asked, const device
   settings.max_jump_mm = safety.max_jump_mm;
   settings.max_tip_speed_mm_per_s = safety.max_tip_speed_mm_per_s;
   settings.max_force_rate_n_per_ms = safety.max_force_rate_n_per_ms;
-  settings.passivity = passivityOf(safety, profile, settings.force_n, tick_s);
+  settings.passivity = makePassivity(safety, profile, settings.force_n, tick_s);
   return settings;
 }
 

@@ -22,7 +22,7 @@ namespace palpate::servo {
 double stableStiffness(double tick_s, double delay_ticks, const device::DeviceProfile& profile);
 
 /// Returns why such a device must not push a hand at this rate and delay, one line; empty: it may.
-std::string whyRefused(const device::DeviceProfile& profile, double tick_s, double delay_ticks);
+std::string refusalReason(const device::DeviceProfile& profile, double tick_s, double delay_ticks);
 
 /// Throws Error with that reason where a hand may be on the device: before its forces are switched on.
 void requireStable(const device::DeviceProfile& profile, const scene::SafetySettings& safety, double tick_s);
@@ -33,7 +33,7 @@ inline constexpr double kSoftestCap = 0.05;
 /// A scene's safety settings as they hold on that device: the scene's are requests, the device's needs a hard minimum.
 /// The delay is at least what its back end knows of. Where a hand may be on the device, passivity and soft contact stay
 /// on and guards within kLoosestGuard of their defaults; --unsafe-stiffness gives up the first two.
-scene::SafetySettings heldSafety(const scene::SafetySettings& asked, const device::DeviceProfile& profile);
+scene::SafetySettings effectiveSafety(const scene::SafetySettings& asked, const device::DeviceProfile& profile);
 
 /// Largest factor on the default of a guard of [safety] (max_age_ticks, max_jump_mm, ...) may be on a device.
 inline constexpr double kLoosestGuard = 4.0;
@@ -61,8 +61,8 @@ inline constexpr std::string_view kUnsafeMark = "UNSAFE";
 std::vector<std::string> safetyNotes(const scene::SafetySettings& asked, const device::DeviceProfile& profile,
                                      double tick_s);
 
-/// The limits for a device, whatever the scene: its stiffness factor is 1. An open device that is refused (whyRefused)
-/// gets no force.
+/// The limits for a device, whatever the scene: its stiffness factor is 1. An open device that is refused
+/// (refusalReason) gets no force.
 LimiterSettings limiterSettings(const scene::SafetySettings& safety, const device::DeviceProfile& profile,
                                 double tick_s);
 

@@ -103,7 +103,7 @@ contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOut
 void exchange(FingerSolver& at_work, FingerSolver& next, contact::FingerState& state) noexcept {
   // The centre of one is not the centre of the other: a sphere's, or the god object's.
   if (at_work.box.has_value() != next.box.has_value()) state = {};
-  if (at_work.lumps && next.lumps) next.lumps->takeOver(*next.surface->lumps, *at_work.lumps, *at_work.surface->lumps);
+  if (at_work.lumps && next.lumps) next.lumps->carryOver(*next.surface->lumps, *at_work.lumps, *at_work.surface->lumps);
   std::swap(at_work.surface, next.surface);
   std::swap(at_work.lumps, next.lumps);
   at_work.box.swap(next.box);

@@ -44,8 +44,8 @@ const contact::LumpPlaces& LumpLoop::begin(const contact::Lumps& lumps, std::siz
   return places_;
 }
 
-void LumpLoop::takeOver(const contact::Lumps& lumps, const LumpLoop& before,
-                        const contact::Lumps& lumps_before) noexcept {
+void LumpLoop::carryOver(const contact::Lumps& lumps, const LumpLoop& before,
+                         const contact::Lumps& lumps_before) noexcept {
   for (std::size_t i = 0; i < lumps.all.size(); ++i) {
     const contact::Lump& lump = lumps.all[i];
     const std::size_t there = numberIn(lumps_before, lump, i);

@@ -33,7 +33,7 @@ class LumpLoop {
 
   /// Lumps that are the same in both worlds stay where they have moved to; others begin at their place. Done once for
   /// each finger of a rig and the same each time. No allocation.
-  void takeOver(const contact::Lumps& lumps, const LumpLoop& before, const contact::Lumps& lumps_before) noexcept;
+  void carryOver(const contact::Lumps& lumps, const LumpLoop& before, const contact::Lumps& lumps_before) noexcept;
 
   const contact::LumpPlaces& places() const noexcept { return places_; }
   /// The finger that is felt next finds the lump there: a recording says so (FingerOutput::lump), of which the time

@@ -11,7 +11,7 @@ namespace {
 constexpr double kFirstForce = 0.25;
 constexpr double kLongestToe = 2.0;  // mm
 
-double toeOf(const contact::FingerOutput& contact, const tissue::ForceLaw& law, const Approach& approach) {
+double toeLength(const contact::FingerOutput& contact, const tissue::ForceLaw& law, const Approach& approach) {
   double stiffness = localStiffness(contact, law) * approach.steepest * approach.stiffness_factor;
   if (approach.cap_n_per_mm > 0.0) stiffness = std::min(stiffness, approach.cap_n_per_mm);
   const double step = std::max(0.0, approach.step_mm);
@@ -35,7 +35,7 @@ double softDepth(SoftContact& state, const contact::FingerOutput& contact, const
   }
   if (!(depth > 0.0)) return depth;  // touches, presses nothing: nothing is known yet
   if (contact.rest_mm > 0.0 && !(contact.force.dot(contact.normal) > 0.0)) return depth;  // likewise: over its own dent
-  if (!state.known) state = {true, toeOf(contact, law, approach)};
+  if (!state.known) state = {true, toeLength(contact, law, approach)};
   return toeDepth(state.toe_mm, depth);
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 /// A device that names its rate has a pose in each of its ticks or is in trouble. Another program comes when it comes,
 /// and has no position when that is too long ago.
-double ageOf(const device::Device& device, const device::DeviceState& state) noexcept {
+double poseAge(const device::Device& device, const device::DeviceState& state) noexcept {
   return device.capabilities.rate_hz > 0.0 ? static_cast<double>(state.age_ticks) : 0.0;
 }
 
@@ -25,7 +25,7 @@ void runFinger(FingerChain& finger, LoopEvent event, EmergencyStop* stop, trace:
   pose.tip = finger.device.read_tip(sample.tick);
   const device::DeviceState state = finger.device.state ? finger.device.state() : device::DeviceState{};
   pose.tick = sample.tick;
-  pose.age_ticks = ageOf(finger.device, state);
+  pose.age_ticks = poseAge(finger.device, state);
   const Vec3 tip = guardTip(finger.limiter_settings, finger.limiter, pose);
   if (event == LoopEvent::stalled) reportFault(finger.limiter, kStalled);
   if (isStopped(stop, state)) reportFault(finger.limiter, kEmergencyStop);

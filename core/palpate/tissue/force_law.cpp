@@ -57,7 +57,7 @@ double fromTable(const ForceTable& table, double depth) noexcept {
 }
 
 /// What makes the law agree with the map at the reference depth; 1 for a table that gives no force there.
-double scaleOf(const ForceLaw& law) noexcept {
+double referenceScale(const ForceLaw& law) noexcept {
   const double reference = law.reference_depth_mm;
   const double effective =
       law.kind == ForceLaw::Kind::table ? fromTable(law.table, reference) : stiffened(law, reference);
@@ -160,10 +160,10 @@ double tangentFactor(const ForceLaw& law, double depth, const PressedPlace& plac
     case ForceLaw::Kind::power:
       return law.exponent * elementary::pow(depth / law.reference_depth_mm, law.exponent - 1.0);
     case ForceLaw::Kind::stiffening:
-      return scaleOf(law) *
+      return referenceScale(law) *
              (law.stiffening_ratio + (1.0 - law.stiffening_ratio) * profile(depth / law.stiffening_depth_mm));
     case ForceLaw::Kind::table:
-      return scaleOf(law) * pieceAt(law.table, depth).slope;
+      return referenceScale(law) * pieceAt(law.table, depth).slope;
     case ForceLaw::Kind::layered: {
       const SecantPlace at = secantOfLayers(law.layers, place, depth);
       return at.factor + depth * at.slope;
@@ -268,9 +268,9 @@ double detail::secantFactor(const ForceLaw& law, double depth_mm, const PressedP
     case ForceLaw::Kind::power:
       return elementary::pow(depth_mm / law.reference_depth_mm, law.exponent - 1.0);
     case ForceLaw::Kind::stiffening:
-      return scaleOf(law) * stiffened(law, depth_mm) / depth_mm;
+      return referenceScale(law) * stiffened(law, depth_mm) / depth_mm;
     case ForceLaw::Kind::table:
-      return scaleOf(law) * fromTable(law.table, depth_mm) / depth_mm;
+      return referenceScale(law) * fromTable(law.table, depth_mm) / depth_mm;
     case ForceLaw::Kind::layered:
       return secantOfLayers(law.layers, place, depth_mm).factor;
   }

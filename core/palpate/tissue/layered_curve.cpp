@@ -31,7 +31,7 @@ Eigen::Index countWithin(std::span<const CurveSample> samples) {
   return rows;
 }
 
-LayeredCurve curveOf(const Eigen::VectorXd& terms) {
+LayeredCurve toCurve(const Eigen::VectorXd& terms) {
   LayeredCurve curve;
   for (std::size_t k = 0; k < curve.terms.size(); ++k) curve.terms[k] = terms[static_cast<Eigen::Index>(k)];
   return curve;
@@ -54,7 +54,7 @@ LayeredCurve fittedShare(std::span<const CurveSample> samples, double bend) {
   const Eigen::VectorXd others = leastSquares(std::move(left), right);
   Eigen::VectorXd terms(kCurveTerms);
   terms << 1.0 - others.sum(), others;
-  return curveOf(terms);
+  return toCurve(terms);
 }
 
 LayeredCurve fittedOutward(std::span<const CurveSample> samples, double bend) {
@@ -67,7 +67,7 @@ LayeredCurve fittedOutward(std::span<const CurveSample> samples, double bend) {
     left.row(row) = sample.weight * sample.q * basisAt(bend, sample.q);
     right[row++] = sample.weight * sample.value;
   }
-  return curveOf(leastSquares(std::move(left), right));
+  return toCurve(leastSquares(std::move(left), right));
 }
 
 }  // namespace palpate::tissue

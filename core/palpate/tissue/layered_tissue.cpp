@@ -70,7 +70,7 @@ PressCurves pressCurves(const LayeredTable& table, const PressedShape& shape, do
 }
 
 /// Where the curve crosses a tenth.
-double tenthOf(const LayeredCurve& share) {
+double findTenth(const LayeredCurve& share) {
   double low = 0.0;
   double high = 1.0;
   for (int i = 0; i < 40; ++i) {
@@ -99,7 +99,7 @@ DragCurve dragCurve(const LayeredTable& table) {
     samples.insert(samples.end(), across.begin(), across.end());
   }
   curve.share = fittedShare(samples, kDragBend);
-  curve.tenth_q = tenthOf(curve.share);
+  curve.tenth_q = findTenth(curve.share);
   return curve;
 }
 
@@ -154,7 +154,7 @@ double secantOn(std::span<const double> depths, std::span<const double> secants,
   return force / depth_mm;
 }
 
-double secantOf(const LayeredNode& node, double depth_mm, double finger_mm) noexcept {
+double nodeSecant(const LayeredNode& node, double depth_mm, double finger_mm) noexcept {
   const auto of = [&](const std::vector<double>& secants) { return secantOn(node.depths_mm, secants, depth_mm); };
   if (node.fingers.empty()) return of(node.secants);
   const auto above = std::ranges::upper_bound(node.fingers, finger_mm, {}, &FingerSecants::radius_mm);
@@ -183,7 +183,7 @@ std::vector<FingerSecants> blendedFingers(const LayeredNode& a, const LayeredNod
     FingerSecants& mixed = fingers.emplace_back(FingerSecants{finger.radius_mm, {}});
     for (const double depth : depths) {
       mixed.secants.push_back(
-          geometric(secantOf(a, depth, finger.radius_mm), secantOf(b, depth, finger.radius_mm), share));
+          geometric(nodeSecant(a, depth, finger.radius_mm), nodeSecant(b, depth, finger.radius_mm), share));
     }
   }
   return fingers;
@@ -298,7 +298,7 @@ double LayeredTissue::tangentialAt(double thickness_mm) const noexcept {
 
 double LayeredTissue::secantAt(double thickness_mm, double depth_mm, double finger_mm) const noexcept {
   const Between at = between(thickness_mm);
-  return geometric(secantOf(*at.a, depth_mm, finger_mm), secantOf(*at.b, depth_mm, finger_mm), at.share);
+  return geometric(nodeSecant(*at.a, depth_mm, finger_mm), nodeSecant(*at.b, depth_mm, finger_mm), at.share);
 }
 
 bool LayeredTissue::knowsRadius() const noexcept {

@@ -36,7 +36,7 @@ struct ShippedField {
 
 constexpr double kSteps = 4095.0;
 
-double stepOf(char high, char low) {
+double decodeStep(char high, char low) {
   const auto digit = [](char c) {
     if (c >= 'A' && c <= 'Z') return c - 'A';
     if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -48,7 +48,7 @@ double stepOf(char high, char low) {
 
 void appendRow(std::string_view text, double scale, std::vector<float>& roots) {
   for (std::size_t i = 0; i + 1 < text.size(); i += 2) {
-    roots.push_back(static_cast<float>(scale * stepOf(text[i], text[i + 1]) / kSteps));
+    roots.push_back(static_cast<float>(scale * decodeStep(text[i], text[i + 1]) / kSteps));
   }
 }
 
@@ -88,7 +88,7 @@ struct Neighbours {
   double share = 0.0;
 };
 
-Neighbours neighboursOf(std::span<const double> values, double at, bool logarithmic) {
+Neighbours findNeighbours(std::span<const double> values, double at, bool logarithmic) {
   if (!(at > values.front())) return {};
   const std::size_t last = values.size() - 1;
   if (at >= values[last]) return {last, last, 0.0};
@@ -109,11 +109,11 @@ LayerStack placeStack(double thickness_mm, double fat_mm) {
 std::vector<WeightedField> libraryFieldsAt(double thickness_mm, double fat_mm) {
   static const std::vector<LibraryStack> stacks = decodedStacks();
   const auto shares = libraryFatShares();
-  const Neighbours thick = neighboursOf(libraryThicknesses(), thickness_mm, true);
+  const Neighbours thick = findNeighbours(libraryThicknesses(), thickness_mm, true);
   std::vector<WeightedField> fields;
   const auto add = [&](std::size_t thickness, double weight) {
     const double fat = libraryFatShare(libraryThicknesses()[thickness], fat_mm);
-    const Neighbours fatty = neighboursOf(shares, fat, false);
+    const Neighbours fatty = findNeighbours(shares, fat, false);
     for (const auto& [i, share] : {std::pair{fatty.below, 1.0 - fatty.share}, std::pair{fatty.above, fatty.share}}) {
       const LibraryStack& one = stacks[thickness * shares.size() + i];
       if (weight * share > 0.0) fields.push_back({&one.stack, &one.field, weight * share});

@@ -77,7 +77,7 @@ void addSlice(const LumpShape& lump, std::size_t layer, double from, double to, 
   }
 }
 
-std::vector<LumpPoint> pointsOf(const LumpShape& lump, const LayerStack& stack) {
+std::vector<LumpPoint> buildLumpPoints(const LumpShape& lump, const LayerStack& stack) {
   std::vector<LumpPoint> points;
   double top = 0.0;
   for (std::size_t layer = 0; layer < stack.layers.size(); ++layer) {
@@ -114,7 +114,7 @@ double depthIn(const LayerStack& other, const LayerStack& stack, std::size_t lay
 }
 
 /// How high the tissue between skin and lump still is under each press of a field, over its height at rest.
-std::vector<double> squeezesOf(const WeightedField& one, const LumpShape& lump, const LayerStack& stack) {
+std::vector<double> computeSqueezes(const WeightedField& one, const LumpShape& lump, const LayerStack& stack) {
   constexpr std::size_t kLooks = 16;
   const PressField& field = *one.field;
   const double skin = stack.layers.front().thickness_mm;
@@ -141,7 +141,7 @@ PointsInField pointsIn(const WeightedField& one, const LumpShape& lump, const La
                        const std::vector<LumpPoint>& points) {
   const Saturation saturation(lump, stack);
   PointsInField found{*one.field, points, {}, {}};
-  const std::vector<double> squeezes = squeezesOf(one, lump, stack);
+  const std::vector<double> squeezes = computeSqueezes(one, lump, stack);
   std::vector<std::vector<double>> sigmas(stack.layers.size());
   for (std::size_t layer = 0; layer < sigmas.size(); ++layer) {
     double before = 1.0;
@@ -160,7 +160,7 @@ PointsInField pointsIn(const WeightedField& one, const LumpShape& lump, const La
 
 /// U at one distance and every solved depth, N mm: the saturation changes while the tissue above is squeezed, so what
 /// each press adds to the densities has its own.
-std::vector<double> energiesOf(const PointsInField& lump, double rho_mm) {
+std::vector<double> computeEnergies(const PointsInField& lump, double rho_mm) {
   std::vector<double> energies(lump.field.depths_mm.size(), 0.0);
   for (std::size_t i = 0; i < lump.points.size(); ++i) {
     const LumpPoint& point = lump.points[i];
@@ -214,7 +214,7 @@ struct Step {
   double mm = 0.0;
   double inverse = 0.0;
 };
-constexpr Step stepOf(double mm) noexcept { return {mm, 1.0 / mm}; }
+constexpr Step makeStep(double mm) noexcept { return {mm, 1.0 / mm}; }
 
 /// Of a cubic on a cell: of value and slope at its near end, value and slope at its far end.
 using Weights = std::array<double, 4>;
@@ -290,7 +290,7 @@ class DepthCurve {
   EnergyAndForce within(double root) const {
     const auto above = std::upper_bound(roots_.begin() + 1, roots_.end() - 1, root);
     const auto i = static_cast<std::size_t>(above - roots_.begin()) - 1;
-    const Step step = stepOf(roots_[i + 1] - roots_[i]);
+    const Step step = makeStep(roots_[i + 1] - roots_[i]);
     const double t = (root - roots_[i]) / step.mm;
     const Weights ends = {shares_[i], slopes_[i], shares_[i + 1], slopes_[i + 1]};
     const double share = weighted(valueWeights(t, step), ends);
@@ -345,7 +345,7 @@ struct LumpEnergy::Table {
   LumpSteepness steepest;
   std::array<std::array<Knot, kDepths>, kRhos> knots{};
 
-  double rhoOf(std::size_t i) const {
+  double rhoAt(std::size_t i) const {
     return i <= kFineSteps ? kFineStep.mm * static_cast<double>(i)
                            : kFineToMm + coarse_step.mm * static_cast<double>(i - kFineSteps);
   }
@@ -385,7 +385,7 @@ struct LumpEnergy::Table {
   }
 
  private:
-  static constexpr Step kFineStep = stepOf(kFineToMm / kFineSteps);
+  static constexpr Step kFineStep = makeStep(kFineToMm / kFineSteps);
 
   /// Where a distance and a depth are among the knots. Signed: a processor makes no unsigned number of a double at
   /// once.
@@ -486,21 +486,21 @@ void correct(std::span<const ForceCorrection> correction, const Step& step, std:
 void LumpEnergy::Table::layOut(const LumpShape& lump, std::span<const WeightedField> fields) {
   radius_mm = lump.radiusMm();
   reach_mm = kReachMm + radius_mm;
-  coarse_step = stepOf((reach_mm - kFineToMm) / static_cast<double>(kRhos - 1 - kFineSteps));
+  coarse_step = makeStep((reach_mm - kFineToMm) / static_cast<double>(kRhos - 1 - kFineSteps));
   for (const WeightedField& one : fields) deepest_mm = std::max(deepest_mm, one.field->depths_mm.back());
-  depth_step = stepOf(deepest_mm / static_cast<double>(kDepths - 1));
+  depth_step = makeStep(deepest_mm / static_cast<double>(kDepths - 1));
 }
 
 EnergyRows LumpEnergy::Table::rowsOf(const LumpShape& lump, const LayerStack& stack,
                                      std::span<const WeightedField> fields) const {
-  const std::vector<LumpPoint> points = pointsOf(lump, stack);
+  const std::vector<LumpPoint> points = buildLumpPoints(lump, stack);
   EnergyRows sums(kRhos, std::vector<EnergyAndForce>(kDepths));
   for (const WeightedField& one : fields) {
     const PointsInField found = pointsIn(one, lump, stack, points);
     for (std::size_t i = 0; i < kRhos; ++i) {
-      const double rho = rhoOf(i);
+      const double rho = rhoAt(i);
       const double share = one.share * windowAt(rho / reach_mm);
-      const DepthCurve curve(one.field->depths_mm, energiesOf(found, rho));
+      const DepthCurve curve(one.field->depths_mm, computeEnergies(found, rho));
       for (std::size_t k = 0; k < kDepths; ++k) {
         const EnergyAndForce at = curve.at(depth_step.mm * static_cast<double>(k));
         sums[i][k].energy += share * at.energy;
@@ -513,7 +513,7 @@ EnergyRows LumpEnergy::Table::rowsOf(const LumpShape& lump, const LayerStack& st
 
 void LumpEnergy::Table::setKnots(const EnergyRows& rows) {
   std::vector<double> rhos(kRhos);
-  for (std::size_t i = 0; i < kRhos; ++i) rhos[i] = rhoOf(i);
+  for (std::size_t i = 0; i < kRhos; ++i) rhos[i] = rhoAt(i);
   std::vector<double> energies(kRhos);
   std::vector<double> forces(kRhos);
   for (std::size_t k = 0; k < kDepths; ++k) {
@@ -531,7 +531,7 @@ void LumpEnergy::Table::findSteepest() {
   constexpr int kLooks = 4;  // per cell
   for (std::size_t i = 0; i + 1 < kRhos; ++i) {
     for (int a = 0; a < kLooks; ++a) {
-      const double rho = rhoOf(i) + (rhoOf(i + 1) - rhoOf(i)) * a / kLooks;
+      const double rho = rhoAt(i) + (rhoAt(i + 1) - rhoAt(i)) * a / kLooks;
       for (std::size_t k = 0; k < kLooks * (kDepths - 1) + 1; ++k) {
         const Full full = at(rho, depth_step.mm * static_cast<double>(k) / kLooks);
         steepest.depth = std::max(steepest.depth, std::abs(full.d_depth_depth));

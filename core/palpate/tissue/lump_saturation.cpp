@@ -64,7 +64,7 @@ struct Ground {
   double depth_mm = 0;  ///< where it begins
 };
 
-Ground groundOf(const LayerStack& stack, std::size_t layer) {
+Ground findGround(const LayerStack& stack, std::size_t layer) {
   double border = 0.0;
   for (std::size_t i = 0; i < stack.layers.size(); ++i) {
     const double ratio = stack.layers[i].young_kpa / stack.layers[layer].young_kpa;
@@ -168,7 +168,7 @@ Saturation::Saturation(const LumpShape& lump, const LayerStack& stack)
   const double bone = ease((totalThickness(stack) - lump.bottomMm()) / radius, kNearBoneRadii);
   for (std::size_t layer = 0; layer < stack.layers.size(); ++layer) {
     const double skin_ratio = stack.layers.front().young_kpa / stack.layers[layer].young_kpa;
-    const Ground ground = groundOf(stack, layer);
+    const Ground ground = findGround(stack, layer);
     // Without firm ground the lump goes down, and nothing above it is squeezed.
     const double firm = ground.ratio > 1.0 ? 1.0 - 1.0 / ground.ratio : softerAbove(stack, layer);
     around_.push_back({.skin_takes = takes(skin_ratio, kHalfSkin),

@@ -59,7 +59,7 @@ PressedShape shapeAt(const LayeredTable& table, double depth_mm) {
           .outward = between(a.outward, b.outward, share)};
 }
 
-std::string stackWords(const LayerStack& stack) {
+std::string formatStack(const LayerStack& stack) {
   if (stack.layers.empty()) return "layers unknown";
   std::string words;
   for (const Layer& layer : stack.layers) {

@@ -25,6 +25,6 @@ PressedNumbers numbersOf(const LayeredTable& table, const PressedShape& shape);
 PressedShape shapeAt(const LayeredTable& table, double depth_mm);
 
 /// "2 x 150 + 8 x 10 + 30 x 27": mm x kPa from the skin down; "layers unknown" of a fitted table without them.
-std::string stackWords(const LayerStack& stack);
+std::string formatStack(const LayerStack& stack);
 
 }  // namespace palpate::tissue

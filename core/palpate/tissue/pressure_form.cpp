@@ -23,7 +23,7 @@ PressurePattern mixed(const PressurePattern& a, const PressurePattern& b, double
           a.exponent + share * (b.exponent - a.exponent)};
 }
 
-std::vector<double> rootsOf(std::span<const double> depths_mm) {
+std::vector<double> squareRoots(std::span<const double> depths_mm) {
   std::vector<double> roots;
   for (const double depth : depths_mm) roots.push_back(std::sqrt(depth));
   return roots;
@@ -48,11 +48,11 @@ PressureForm::PressureForm(std::span<const WeightedField> fields, double indente
   if (fields.empty()) throw Error("pressure: no field of a press is given");
   const auto longest =
       std::ranges::max_element(fields, {}, [](const WeightedField& one) { return one.field->depths_mm.back(); });
-  roots_ = rootsOf(longest->field->depths_mm);
+  roots_ = squareRoots(longest->field->depths_mm);
   for (const double depth : longest->field->depths_mm) {
     PressurePattern& sum = patterns_.emplace_back();
     for (const WeightedField& one : fields) {
-      const PressurePattern pattern = patternAt(rootsOf(one.field->depths_mm), one.field->patterns, depth);
+      const PressurePattern pattern = patternAt(squareRoots(one.field->depths_mm), one.field->patterns, depth);
       sum.contact_radius_mm += one.share * pattern.contact_radius_mm;
       sum.exponent += one.share * pattern.exponent;
     }

@@ -25,7 +25,7 @@ constexpr std::size_t kMaxProfileBytes = 1'000'000;
 constexpr NumberRange kKnotValues{-100.0, 100.0};
 
 /// What is wrong with a row, seen with the one before it; nothing when it is fine.
-std::optional<std::string> faultOf(const ProfileKnot& knot, const ProfileKnot* before) {
+std::optional<std::string> findFault(const ProfileKnot& knot, const ProfileKnot* before) {
   if (!std::isfinite(knot.q) || !std::isfinite(knot.value)) return "q and value must be finite";
   if (!kKnotValues.holds(knot.value)) return "value = " + outOfRange(fmt::format("{}", knot.value), kKnotValues);
   if (before == nullptr) {
@@ -44,17 +44,17 @@ std::optional<std::string> faultOfLast(const ProfileKnot& last) {
   return std::nullopt;
 }
 
-ProfileKnot knotOf(const CsvRow& row) {
+ProfileKnot parseKnot(const CsvRow& row) {
   if (row.fields.size() != 2) throw Error::atLine(row.file, row.line, "a row is q,value");
   return {csvNumber(row, 0, "q"), csvNumber(row, 1, "value", kKnotValues)};
 }
 
-double widthOf(std::span<const ProfileKnot> knots, std::size_t interval) {
+double intervalWidth(std::span<const ProfileKnot> knots, std::size_t interval) {
   return knots[interval + 1].q - knots[interval].q;
 }
 
 double riseOf(std::span<const ProfileKnot> knots, std::size_t interval) {
-  return (knots[interval + 1].value - knots[interval].value) / widthOf(knots, interval);
+  return (knots[interval + 1].value - knots[interval].value) / intervalWidth(knots, interval);
 }
 
 /// Weighted harmonic mean of the slopes on both sides; 0 where the curve turns (Fritsch and Butland).
@@ -62,8 +62,8 @@ double innerSlope(std::span<const ProfileKnot> knots, std::size_t i) {
   const double left = riseOf(knots, i - 1);
   const double right = riseOf(knots, i);
   if (left * right <= 0.0) return 0.0;
-  const double near_left = 2.0 * widthOf(knots, i) + widthOf(knots, i - 1);
-  const double near_right = widthOf(knots, i) + 2.0 * widthOf(knots, i - 1);
+  const double near_left = 2.0 * intervalWidth(knots, i) + intervalWidth(knots, i - 1);
+  const double near_right = intervalWidth(knots, i) + 2.0 * intervalWidth(knots, i - 1);
   return (near_left + near_right) / (near_left / left + near_right / right);
 }
 
@@ -77,8 +77,8 @@ std::vector<ProfileKnot> parseProfileKnots(std::string_view text, std::string_vi
     const bool header = may_be_header && looksLikeCsvHeader(row);
     may_be_header = false;
     if (header) return;
-    const ProfileKnot knot = knotOf(row);
-    if (const auto fault = faultOf(knot, knots.empty() ? nullptr : &knots.back())) {
+    const ProfileKnot knot = parseKnot(row);
+    if (const auto fault = findFault(knot, knots.empty() ? nullptr : &knots.back())) {
       throw Error::atLine(file, row.line, *fault);
     }
     knots.push_back(knot);
@@ -96,7 +96,7 @@ std::vector<ProfileKnot> readProfileKnots(const std::filesystem::path& file) {
 void checkProfileKnots(std::span<const ProfileKnot> knots) {
   if (knots.size() < 2) throw Error("profile: at least two rows are needed");
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (const auto fault = faultOf(knots[i], i == 0 ? nullptr : &knots[i - 1])) {
+    if (const auto fault = findFault(knots[i], i == 0 ? nullptr : &knots[i - 1])) {
       throw Error(fmt::format("profile, row {}: {}", i + 1, *fault));
     }
   }
@@ -120,7 +120,7 @@ ProfilePoint interpolatedKnots(std::span<const ProfileKnot> knots, std::span<con
   const auto beyond =
       std::upper_bound(knots.begin() + 1, knots.end() - 1, q, [](double at, const auto& knot) { return at < knot.q; });
   const auto i = static_cast<std::size_t>(beyond - knots.begin()) - 1;
-  const double width = widthOf(knots, i);
+  const double width = intervalWidth(knots, i);
   const double t = (q - knots[i].q) / width;
   const double rise = knots[i + 1].value - knots[i].value;
   if (interpolation == UserInterpolation::linear) return {knots[i].value + t * rise, slopes[i]};

@@ -126,7 +126,7 @@ struct Regions {
   V share_c;           ///< c's, on the face
 };
 
-HWY_INLINE Regions regionsOf(const Corners& corners, const V3& point) {
+HWY_INLINE Regions classifyRegions(const Corners& corners, const V3& point) {
   const V zero = hn::Zero(D());
   const V3 ab = sub(corners.b, corners.a);
   const V3 ac = sub(corners.c, corners.a);
@@ -178,10 +178,10 @@ HWY_INLINE Regions regionsOf(const Corners& corners, const V3& point) {
 }
 
 /// Writes the lanes from `lane` on. Returns those that have to be asked one by one.
-HWY_INLINE std::uint32_t closestOf(const Corners& corners, const V3& point, int lane, ClosestSideBySide& closest) {
+HWY_INLINE std::uint32_t computeClosest(const Corners& corners, const V3& point, int lane, ClosestSideBySide& closest) {
   const D d;
   const auto& [a, b, c] = corners;
-  const Regions at = regionsOf(corners, point);
+  const Regions at = classifyRegions(corners, point);
   const M by_edge = at.edge.any();
   const V3 start = select(at.edge, a, b, c);
   const V3 end = select(at.edge, b, c, a);
@@ -218,7 +218,7 @@ std::uint32_t closestOnTriangles(const TriangleRecord* records, const Index* whi
   for (int i = 0; i < kMostSideBySide; ++i) padded[i] = which[std::min(i, count - 1)];
   std::uint32_t unclear = 0;
   for (int lane = 0; lane < count; lane += static_cast<int>(hn::Lanes(D()))) {
-    unclear |= closestOf(cornersOf(records, padded + lane), point, lane, closest);
+    unclear |= computeClosest(cornersOf(records, padded + lane), point, lane, closest);
   }
   return unclear & ((1u << count) - 1u);
 }

@@ -75,7 +75,7 @@ std::vector<NormalCone> conesOfVertices(const TriangleTree& tree, const Progress
   return cones;
 }
 
-double sineOf(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
+double sineFromCosine(double cosine) { return std::sqrt(std::max(0.0, 1.0 - cosine * cosine)); }
 
 std::int8_t rounded(double value) { return static_cast<std::int8_t>(std::lround(value)); }
 
@@ -171,7 +171,7 @@ class PlateFiller {
     node.facing[0][slot] = u;
     node.facing[1][slot] = v;
     node.top[slot] = topSteps(top * tree_.to_unit / (0.5 * (high - low).norm()));
-    node.spread[slot] = spreadOf(widest);
+    node.spread[slot] = encodeSpread(widest);
   }
 
   static std::int8_t topSteps(double share) {
@@ -184,12 +184,12 @@ class PlateFiller {
     const double cosine = cone.cosine;
     const double between = axis.dot(cone.axis.cast<double>());
     if (cosine <= 0.0 || between <= 0.0) return -1.0;
-    return cosine * between - sineOf(cosine) * sineOf(between);
+    return cosine * between - sineFromCosine(cosine) * sineFromCosine(between);
   }
 
-  static std::uint8_t spreadOf(double cosine) {
+  static std::uint8_t encodeSpread(double cosine) {
     if (cosine <= 0.0) return kAnySpread;
-    const double steps = std::ceil((sineOf(cosine) + kSineSlack) / kSpreadStep);
+    const double steps = std::ceil((sineFromCosine(cosine) + kSineSlack) / kSpreadStep);
     return steps < kAnySpread ? static_cast<std::uint8_t>(steps) : kAnySpread;
   }
 

@@ -96,13 +96,13 @@ class Builder {
     tree_.nodes.reserve(nodes);
     for (int i = 0; i < count; ++i) {
       tree_.nodes[0].children[i] =
-          isLeaf(parts[i]) ? leafOf(parts[i]) : ChildLink::toNode(static_cast<std::uint32_t>(tree_.nodes.size()));
+          isLeaf(parts[i]) ? leafLink(parts[i]) : ChildLink::toNode(static_cast<std::uint32_t>(tree_.nodes.size()));
       append(below[i]);
     }
   }
 
   /// The triangles in the order of the leaves. The boxes are gone afterwards: 24 bytes a triangle.
-  std::vector<Index> takeOrder() {
+  std::vector<Index> extractOrder() {
     std::vector<Index> order;
     order.reserve(items_.size());
     for (const Item& item : items_) order.push_back(item.triangle);
@@ -164,13 +164,13 @@ class Builder {
     const std::uint32_t index = addNode(parts, count, nodes);
     for (int i = 0; i < count; ++i) {
       const ChildLink link =
-          isLeaf(parts[i]) ? leafOf(parts[i]) : ChildLink::toNode(buildNode(parts[i], level + 1, nodes, progress));
+          isLeaf(parts[i]) ? leafLink(parts[i]) : ChildLink::toNode(buildNode(parts[i], level + 1, nodes, progress));
       nodes[index].children[i] = link;
     }
     return index;
   }
 
-  static ChildLink leafOf(const Range& range) {
+  static ChildLink leafLink(const Range& range) {
     return ChildLink::toLeaf(static_cast<Index>(range.begin), static_cast<Index>(range.size()));
   }
 
@@ -374,7 +374,7 @@ void buildBoxes(const mesh::TriangleMesh& mesh, TriangleTree& tree, const Progre
   report(progress, kTreeStage, kBuilt);
   finding_neighbours.join();
   report(progress, kTreeStage, 0.8);
-  tree.source_triangle = builder.takeOrder();
+  tree.source_triangle = builder.extractOrder();
   fillRecords(mesh, neighbours, tree, progress);
 }
 

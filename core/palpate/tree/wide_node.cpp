@@ -71,7 +71,7 @@ struct Sight {
 
 /// facingVector, eight at once.
 template <class D>
-HWY_INLINE Vector<D> facingOf(D d, const WideNode& node, int lane) {
+HWY_INLINE Vector<D> facingVectors(D d, const WideNode& node, int lane) {
   const auto u = fromBytes(d, node.facing[0] + lane);
   const auto v = fromBytes(d, node.facing[1] + lane);
   const auto length = hn::Set(d, static_cast<float>(kFacingLength));
@@ -81,9 +81,9 @@ HWY_INLINE Vector<D> facingOf(D d, const WideNode& node, int lane) {
 }
 
 template <class D>
-HWY_INLINE Sight<D> sightOf(D d, const WideNode& node, const PointQuery& query, int lane) {
+HWY_INLINE Sight<D> computeSight(D d, const WideNode& node, const PointQuery& query, int lane) {
   Sight<D> sight;
-  sight.facing = facingOf(d, node, lane);
+  sight.facing = facingVectors(d, node, lane);
   sight.facing2 = dot<D>(sight.facing, sight.facing);
   const auto one_half = hn::Set(d, 0.5f);
   const auto slack = hn::Set(d, query.slack);
@@ -154,14 +154,14 @@ HWY_INLINE hn::Mask<D> mayFace(D d, const WideNode& node, const PointQuery& quer
 void squaredDistanceBounds(const WideNode& node, const PointQuery& query, float* bounds) {
   const hn::CappedTag<float, kNodeWidth> d;
   for (int lane = 0; lane < kNodeWidth; lane += static_cast<int>(hn::Lanes(d))) {
-    hn::StoreU(distanceBound(d, node, query, lane, sightOf(d, node, query, lane)), d, bounds + lane);
+    hn::StoreU(distanceBound(d, node, query, lane, computeSight(d, node, query, lane)), d, bounds + lane);
   }
 }
 
 void squaredDistanceBoundsOfMinima(const WideNode& node, const PointQuery& query, float* bounds) {
   const hn::CappedTag<float, kNodeWidth> d;
   for (int lane = 0; lane < kNodeWidth; lane += static_cast<int>(hn::Lanes(d))) {
-    const auto sight = sightOf(d, node, query, lane);
+    const auto sight = computeSight(d, node, query, lane);
     const auto bound = distanceBound(d, node, query, lane, sight);
     const auto may_face = mayFace(d, node, query, lane, sight);
     hn::StoreU(hn::IfThenElse(may_face, bound, hn::Set(d, kInfinity)), d, bounds + lane);
@@ -176,7 +176,7 @@ struct Slab {
 };
 
 template <class D>
-HWY_INLINE Slab<D> slabOf(D d, const WideNode& node, const SegmentQuery& query, int axis, int lane) {
+HWY_INLINE Slab<D> loadSlab(D d, const WideNode& node, const SegmentQuery& query, int axis, int lane) {
   const auto low = hn::Load(d, node.low[axis] + lane);
   const auto high = hn::Load(d, node.high[axis] + lane);
   const auto one_half = hn::Set(d, 0.5f);
@@ -208,9 +208,9 @@ std::uint32_t segmentMayTouch(const WideNode& node, const SegmentQuery& query) {
   for (int lane = 0; lane < kNodeWidth; lane += static_cast<int>(hn::Lanes(d))) {
     auto touch = hn::And(boxesOverlap(d, node, query, 0, lane),
                          hn::And(boxesOverlap(d, node, query, 1, lane), boxesOverlap(d, node, query, 2, lane)));
-    const auto x = slabOf(d, node, query, 0, lane);
-    const auto y = slabOf(d, node, query, 1, lane);
-    const auto z = slabOf(d, node, query, 2, lane);
+    const auto x = loadSlab(d, node, query, 0, lane);
+    const auto y = loadSlab(d, node, query, 1, lane);
+    const auto z = loadSlab(d, node, query, 2, lane);
     touch = hn::And(touch, notSeparated(d, y, z, query.half[1], query.half[2]));
     touch = hn::And(touch, notSeparated(d, z, x, query.half[2], query.half[0]));
     touch = hn::And(touch, notSeparated(d, x, y, query.half[0], query.half[1]));

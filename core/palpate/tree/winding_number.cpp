@@ -59,7 +59,7 @@ Part partOf(TriangleTree& tree, ChildLink child, Run& run) {
   return part;
 }
 
-FarPlate plateOf(const TriangleTree& tree, const Part& part, const Run& run) {
+FarPlate makeFarPlate(const TriangleTree& tree, const Part& part, const Run& run) {
   const Vec3 fallback = tree.records[run.begin].corners[0];
   const Vec3 middle = part.weight > 0.0 ? Vec3(part.weighted_middle / part.weight) : fallback;
   double reach2 = 0.0;
@@ -87,7 +87,7 @@ Part fillNode(TriangleTree& tree, std::uint32_t node_index, Run& run) {
     if (!isUsed(tree.nodes[node_index], i)) continue;
     Run below;
     const Part part = partOf(tree, tree.nodes[node_index].children[i], below);
-    tree.far_plates[plate++] = plateOf(tree, part, below);
+    tree.far_plates[plate++] = makeFarPlate(tree, part, below);
     sum.add(part);
     run = any ? Run{std::min(run.begin, below.begin), std::max(run.end, below.end)} : below;
     any = true;

@@ -32,7 +32,7 @@ TEST(Background, HasDoneItsWorkWhenJoined) {
 
 TEST(Background, ThrowsOnJoiningWhatItsWorkThrew) {
   Background helper([] { throw Error("the work failed"); });
-  EXPECT_EQ(support::messageOf([&] { helper.join(); }), "the work failed");
+  EXPECT_EQ(support::thrownMessage([&] { helper.join(); }), "the work failed");
 }
 
 TEST(Background, IsDoneWhenItGoesEvenIfNobodyJoinedIt) {
@@ -90,7 +90,7 @@ TEST(ShareOut, ThrowsWhatAPartThrew) {
   const auto fail_at_the_end = [](std::size_t, std::size_t end) {
     if (end == 100) throw Error("the last part failed");
   };
-  EXPECT_EQ(support::messageOf([&] { shareOut(100, 1, fail_at_the_end); }), "the last part failed");
+  EXPECT_EQ(support::thrownMessage([&] { shareOut(100, 1, fail_at_the_end); }), "the last part failed");
 }
 
 }  // namespace palpate

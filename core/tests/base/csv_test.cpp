@@ -19,12 +19,12 @@ TEST(ForEachCsvRow, SkipsBlanksAndCommentsAndKeepsLineNumbers) {
 }
 
 TEST(ForEachCsvRow, RefusesBinaryGarbageWithItsLine) {
-  EXPECT_EQ(support::messageOf([] { forEachCsvRow("1,2\n\x01\x02", "t.csv", [](const CsvRow&) {}); }),
+  EXPECT_EQ(support::thrownMessage([] { forEachCsvRow("1,2\n\x01\x02", "t.csv", [](const CsvRow&) {}); }),
             "t.csv:2: not a text table (byte 0x01)");
 }
 
 /// All fields, rows after a slash: "1|2/3|4".
-std::string fieldsOf(std::string_view text) {
+std::string joinFields(std::string_view text) {
   std::string all;
   forEachCsvRow(text, "t.csv", [&](const CsvRow& row) {
     if (!all.empty()) all += "/";
@@ -37,16 +37,16 @@ TEST(ForEachCsvRow, TakesTablesAsSpreadsheetsWriteThem) {
   for (const char* text :
        {"a,b\n1,2\n3,4\n", "a,b\r\n1,2\r\n3,4\r\n", "a,b\r1,2\r3,4\r", "a,b\r1,2\n3,4", "a,b\n\r\n1,2\r\r3,4",
         "\xef\xbb\xbf\"a\",\"b\"\r\n\"1\", \"2\" \r\n3,\"4\"", "a,b,\n1,2,\n3,4,\n", "a,b,,,\n1,2,,\n3,4\n"}) {
-    EXPECT_EQ(fieldsOf(text), "a|b/1|2/3|4") << text;
+    EXPECT_EQ(joinFields(text), "a|b/1|2/3|4") << text;
   }
-  EXPECT_EQ(fieldsOf("name,n\n\"T6, left # 2\",1 # there\n"), "name|n/T6, left # 2|1");
-  EXPECT_EQ(fieldsOf("a,b,c\n1,2,\n"), "a|b|c/1|2|") << "an empty field of a column that has a name";
-  EXPECT_EQ(fieldsOf("a,b,\n1,2,3\n"), "a|b/1|2|3") << "a value of a column that has none stays, and is one too many";
+  EXPECT_EQ(joinFields("name,n\n\"T6, left # 2\",1 # there\n"), "name|n/T6, left # 2|1");
+  EXPECT_EQ(joinFields("a,b,c\n1,2,\n"), "a|b|c/1|2|") << "an empty field of a column that has a name";
+  EXPECT_EQ(joinFields("a,b,\n1,2,3\n"), "a|b/1|2|3") << "a value of a column that has none stays, and is one too many";
 }
 
 TEST(ForEachCsvRow, SaysWhyItDoesNotReadATable) {
   const auto refusal = [](std::string_view text) {
-    return support::messageOf([&] { forEachCsvRow(text, "t.csv", [](const CsvRow&) {}); });
+    return support::thrownMessage([&] { forEachCsvRow(text, "t.csv", [](const CsvRow&) {}); });
   };
   const std::string semicolons =
       "t.csv:2: fields are separated by semicolons: save the table with commas between fields and points in numbers";

@@ -26,7 +26,7 @@ TEST(Split, KeepsEmptyFieldsAndTrims) {
 }
 
 TEST(ReadFile, NamesTheFileThatIsMissing) {
-  EXPECT_EQ(support::messageOf([] { readFile("/nowhere/at-all.txt", 10); }), "/nowhere/at-all.txt: no such file");
+  EXPECT_EQ(support::thrownMessage([] { readFile("/nowhere/at-all.txt", 10); }), "/nowhere/at-all.txt: no such file");
 }
 
 TEST(WriteFile, IsReadBackAndNamesTheFileThatCannotBe) {

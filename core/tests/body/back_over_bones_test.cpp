@@ -19,7 +19,7 @@ struct SizeOfTheText {
 /// Section 2.1 and Table 3.1. The text's 2,962 triangles have 1,588 vertices: its outline has more edges.
 constexpr std::array<SizeOfTheText, 3> kSizes{{{2962, 1544}, {20389, 10398}, {41582, 21103}}};
 
-const Torso& backOf(std::size_t triangles) {
+const Torso& cachedBack(std::size_t triangles) {
   static const std::array<Torso, kSizes.size()> backs = {
       makeBackOverBones({.triangles = kSizes[0].triangles, .shape = {}}),
       makeBackOverBones({.triangles = kSizes[1].triangles, .shape = {}}),
@@ -35,17 +35,17 @@ std::size_t bonesOfKind(const Torso& back, BoneKind kind) {
 TEST(BackOverBones, HasTheTrianglesAndVerticesOfEachSize) {
   EXPECT_EQ(kDissertationBackTriangles, kSizes[0].triangles);
   for (const SizeOfTheText& size : kSizes) {
-    const mesh::TriangleMesh& skin = backOf(size.triangles).skin.mesh;
+    const mesh::TriangleMesh& skin = cachedBack(size.triangles).skin.mesh;
     EXPECT_EQ(skin.triangles.size(), size.triangles);
     EXPECT_EQ(skin.positions.size(), size.vertices);
     // Euler's formula for a sheet of one piece with one border and no hole.
-    EXPECT_EQ(skin.triangles.size(), 2 * skin.positions.size() - 2 - backOf(size.triangles).skin.border);
+    EXPECT_EQ(skin.triangles.size(), 2 * skin.positions.size() - 2 - cachedBack(size.triangles).skin.border);
   }
 }
 
 TEST(BackOverBones, Measures350By400By120Millimetres) {
   for (const SizeOfTheText& size : kSizes) {
-    const Vec3 extent = mesh::boundingBox(backOf(size.triangles).skin.mesh).sizes();
+    const Vec3 extent = mesh::boundingBox(cachedBack(size.triangles).skin.mesh).sizes();
     EXPECT_NEAR(extent.x(), 350.0, 1.5) << size.triangles;
     EXPECT_NEAR(extent.y(), 400.0, 1.5) << size.triangles;
     EXPECT_NEAR(extent.z(), 120.0, 1.5) << size.triangles;
@@ -54,7 +54,7 @@ TEST(BackOverBones, Measures350By400By120Millimetres) {
 
 TEST(BackOverBones, HasVertebraeRibsAndShoulderBlades) {
   for (const SizeOfTheText& size : kSizes) {
-    const Torso& back = backOf(size.triangles);
+    const Torso& back = cachedBack(size.triangles);
     EXPECT_EQ(back.bones.size(), 41u) << size.triangles;
     EXPECT_EQ(bonesOfKind(back, BoneKind::vertebra), 15u) << "T1 to L3";
     EXPECT_EQ(bonesOfKind(back, BoneKind::rib), 24u);
@@ -77,7 +77,7 @@ bool isInside(const Skin& skin, const Vec3& p) {
 }
 
 TEST(BackOverBones, NoBoneIsSeenBeyondTheSkin) {
-  const Torso& back = backOf(kSizes[0].triangles);
+  const Torso& back = cachedBack(kSizes[0].triangles);
   for (const Bone& bone : back.bones) {
     const auto beyond =
         std::ranges::count_if(bone.mesh.positions, [&](const Vec3& p) { return !isInside(back.skin, p); });
@@ -93,7 +93,7 @@ bool nearestIsBorder(const Skin& skin, const mesh::NearestTriangle::Hit& hit) {
 
 TEST(BackOverBones, EveryBoneLiesUnderTheSkin) {
   for (const SizeOfTheText& size : kSizes) {
-    const Torso& back = backOf(size.triangles);
+    const Torso& back = cachedBack(size.triangles);
     const mesh::NearestTriangle skin(back.skin.mesh);
     std::size_t judged = 0;
     for (const Bone& bone : back.bones) {
@@ -115,7 +115,7 @@ TEST(BackOverBones, EveryBoneLiesUnderTheSkin) {
 
 TEST(BackOverBones, EverySkinVertexKnowsTheNearestBone) {
   for (const SizeOfTheText& size : kSizes) {
-    const Torso& back = backOf(size.triangles);
+    const Torso& back = cachedBack(size.triangles);
     ASSERT_EQ(back.depth_mm.size(), back.skin.mesh.positions.size());
     ASSERT_EQ(back.nearest_bone.size(), back.skin.mesh.positions.size());
     EXPECT_LT(*std::ranges::max_element(back.nearest_bone), back.bones.size());

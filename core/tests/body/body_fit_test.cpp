@@ -40,7 +40,7 @@ TrunkShape drawnBuild(Random& random) {
 }
 
 /// A patch of the back, down below the PSIS, with a hole as large as a plaster.
-mesh::TriangleMesh patchOf(const mesh::TriangleMesh& skin, double scale, const Vec3& hole) {
+mesh::TriangleMesh cutPatch(const mesh::TriangleMesh& skin, double scale, const Vec3& hole) {
   mesh::TriangleMesh patch = skin;
   std::erase_if(patch.triangles, [&](const Triangle& t) {
     const Vec3 p = centreOf(skin, t) / scale;
@@ -69,7 +69,8 @@ TrueScan scanOf(std::uint64_t seed, bool whole = false) {
   const Trunk& trunk = trunkOfBuild(seed, shape);
   const double scale = shape.stature_mm / 1750;
   TrueScan scan;
-  scan.mesh = whole ? trunk.skin : patchOf(trunk.skin, scale, {random.uniform(-90, 90), random.uniform(-100, 80), 100});
+  scan.mesh =
+      whole ? trunk.skin : cutPatch(trunk.skin, scale, {random.uniform(-90, 90), random.uniform(-100, 80), 100});
   const Vec3 phase = random.uniform3(0, 6);
   const Vec3 axis = random.normal3().normalized();
   const Mat3 turn = Eigen::AngleAxisd(random.uniform(0, 3), axis).toRotationMatrix();
@@ -239,7 +240,7 @@ TEST(BodyFit, BonesKeepUnderTheSkinOfTheScanAndNamedPointsWhereTheyWereShown) {
 TEST(BodyFit, PointsThatCannotBeAreNamed) {
   const TrueScan& scan = theScan(101);
   const auto error_of = [&](const std::vector<NamedPoint>& points) {
-    return support::messageOf([&] { fitBody(theTemplate(), scan.mesh, points); });
+    return support::thrownMessage([&] { fitBody(theTemplate(), scan.mesh, points); });
   };
   std::vector<NamedPoint> points = fivePoints(scan);
   points[1].position = scan.truth.at("T9");
@@ -321,7 +322,7 @@ TEST(BodyFit, AFileThatIsNoneIsRefusedWithItsPlace) {
        {std::string("{}"), std::string("no json"), std::string(), good.substr(0, good.size() / 2),
         with("\"girth\": 1", "\"girth\": 9"), with("[1, 0, 0]", "[2, 0, 0]"),
         with("\"palpate_fit\": 1", "\"palpate_fit\": 7"), with("\"rms_mm\"", "\"rms\"")}) {
-    const std::string message = support::messageOf([&] { fitFromJson(bad, "a.fit.json"); });
+    const std::string message = support::thrownMessage([&] { fitFromJson(bad, "a.fit.json"); });
     EXPECT_TRUE(message.starts_with("a.fit.json")) << message << " for " << bad.substr(0, 60);
   }
 }

@@ -21,12 +21,12 @@ std::vector<SkinLandmark> spine() {
   return landmarks;
 }
 
-BreathField fieldOf(const std::optional<Support>& support = {}) {
+BreathField makeBreathField(const std::optional<Support>& support = {}) {
   return *BreathField::of({.on = true, .depth_mm = 2.0, .per_minute = 15.0}, spine(), support, 0.0);
 }
 
 TEST(Breathing, GoesInAndOutByItsDepthAndRate) {
-  const BreathField breath = fieldOf();
+  const BreathField breath = makeBreathField();
   EXPECT_EQ(breath.lift(0.0), 0.0);
   EXPECT_NEAR(breath.lift(2.0), 2.0, 1e-12) << "breathed in: half of 60 s / 15";
   EXPECT_NEAR(breath.lift(4.0), 0.0, 1e-12);
@@ -37,7 +37,7 @@ TEST(Breathing, GoesInAndOutByItsDepthAndRate) {
 }
 
 TEST(Breathing, MovesTheBackOverTheLowerRibsAndLeavesThePelvis) {
-  const BreathField breath = fieldOf();
+  const BreathField breath = makeBreathField();
   EXPECT_DOUBLE_EQ(breath.share({0, -100, 100}), 1.0);
   EXPECT_DOUBLE_EQ(breath.share({80, -100, 100}), 1.0);
   EXPECT_EQ(breath.share({0, -400, 100}), 0.0);
@@ -47,19 +47,19 @@ TEST(Breathing, MovesTheBackOverTheLowerRibsAndLeavesThePelvis) {
 }
 
 TEST(Breathing, WidensAStandingBodyToBothSides) {
-  const BreathField breath = fieldOf();
+  const BreathField breath = makeBreathField();
   EXPECT_DOUBLE_EQ(breath.share({0, -100, 0}), -1.0);
   EXPECT_EQ(breath.share({0, -100, 50}), 0.0);
 }
 
 TEST(Breathing, LeavesTheFrontOfALyingBodyOnItsTable) {
-  const BreathField breath = fieldOf(Support{{0, 0, 0}, Vec3::UnitZ()});
+  const BreathField breath = makeBreathField(Support{{0, 0, 0}, Vec3::UnitZ()});
   for (double y = -400; y < 200; y += 20) EXPECT_EQ(breath.share({30, y, 0}), 0.0);
   EXPECT_DOUBLE_EQ(breath.share({0, -100, 100}), 1.0);
 }
 
 TEST(Breathing, FindsTheRestOfAMovedPlaceAgain) {
-  const BreathField breath = fieldOf();
+  const BreathField breath = makeBreathField();
   std::mt19937 random(5);
   std::uniform_real_distribution<double> anywhere(-500.0, 500.0);
   for (int i = 0; i < 20000; ++i) {

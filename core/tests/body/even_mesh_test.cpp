@@ -15,7 +15,7 @@ constexpr double kRadius = 100;
 
 SkinPoint ontoSphere(const Vec3& p) { return {kRadius * p.normalized(), p.normalized()}; }
 
-mesh::TriangleMesh sphereOf(std::size_t triangles) {
+mesh::TriangleMesh meshSphere(std::size_t triangles) {
   const Field distance = [](const Vec3& p) { return p.norm() - kRadius; };
   const mesh::TriangleMesh rough =
       meshZeroSurface(distance, {.low = Vec3::Constant(-110), .high = Vec3::Constant(110), .cell_mm = 15});
@@ -33,14 +33,14 @@ double shapeOf(const mesh::TriangleMesh& mesh, const Triangle& t) {
 
 TEST(EvenMesh, HasExactlyTheTrianglesAskedForAndIsSound) {
   for (const std::size_t triangles : {100u, 2000u, 2002u, 50000u, 50006u}) {
-    const mesh::TriangleMesh sphere = sphereOf(triangles);
+    const mesh::TriangleMesh sphere = meshSphere(triangles);
     EXPECT_EQ(sphere.triangles.size(), triangles);
     EXPECT_TRUE(mesh::validate(sphere).sound()) << triangles;
   }
 }
 
 TEST(EvenMesh, TrianglesAreAlikeInSizeAndNearlyEquilateral) {
-  const mesh::TriangleMesh sphere = sphereOf(60000);
+  const mesh::TriangleMesh sphere = meshSphere(60000);
   const double mean = 4 * 3.14159265 * kRadius * kRadius / 60000;
   double worst_shape = 1;
   double squares = 0;
@@ -55,12 +55,12 @@ TEST(EvenMesh, TrianglesAreAlikeInSizeAndNearlyEquilateral) {
 }
 
 TEST(EvenMesh, LiesOnTheSurface) {
-  for (const Vec3& p : sphereOf(50000).positions) ASSERT_NEAR(p.norm(), kRadius, 1e-9);
+  for (const Vec3& p : meshSphere(50000).positions) ASSERT_NEAR(p.norm(), kRadius, 1e-9);
 }
 
 TEST(EvenMesh, IsTheSameEveryTime) {
-  const mesh::TriangleMesh one = sphereOf(3000);
-  const mesh::TriangleMesh other = sphereOf(3000);
+  const mesh::TriangleMesh one = meshSphere(3000);
+  const mesh::TriangleMesh other = meshSphere(3000);
   EXPECT_EQ(one.triangles, other.triangles);
   for (std::size_t v = 0; v < one.positions.size(); ++v) ASSERT_EQ(one.positions[v], other.positions[v]);
 }

@@ -44,13 +44,13 @@ TEST(Places, AreMovedByDistances) {
 }
 
 TEST(Places, OfAPointAreSaidInWordsThatAreReadBack) {
-  EXPECT_EQ(placeWords(kLandmarks, Vec2(2.2, 39.9)), "T6");
-  EXPECT_EQ(placeWords(kLandmarks, Vec2(-28.4, 47.6)), "T6 left 30 mm up 8 mm");
+  EXPECT_EQ(makePlaceName(kLandmarks, Vec2(2.2, 39.9)), "T6");
+  EXPECT_EQ(makePlaceName(kLandmarks, Vec2(-28.4, 47.6)), "T6 left 30 mm up 8 mm");
   for (const Vec2& place : {Vec2(-28.4, 47.6), Vec2(70, 18), Vec2(-51, -290), Vec2(0, 195)}) {
-    const Vec3 read = placeNamed(kLandmarks, placeWords(kLandmarks, place)).point;
-    EXPECT_LT((read.head<2>() - place).cwiseAbs().maxCoeff(), 0.51) << placeWords(kLandmarks, place);
+    const Vec3 read = placeNamed(kLandmarks, makePlaceName(kLandmarks, place)).point;
+    EXPECT_LT((read.head<2>() - place).cwiseAbs().maxCoeff(), 0.51) << makePlaceName(kLandmarks, place);
   }
-  EXPECT_EQ(placeWords({}, Vec2(0, 0)), "");
+  EXPECT_EQ(makePlaceName({}, Vec2(0, 0)), "");
 }
 
 TEST(Places, TwelveSitesLieBesideSixLevels) {
@@ -72,7 +72,9 @@ TEST(Places, AMisspeltNameIsAnsweredWithTheOneThatIsNear) {
 }
 
 TEST(Places, AMisspeltWordIsAnsweredWithFewNames) {
-  const auto message_of = [](const char* words) { return support::messageOf([&] { placeNamed(kLandmarks, words); }); };
+  const auto message_of = [](const char* words) {
+    return support::thrownMessage([&] { placeNamed(kLandmarks, words); });
+  };
   EXPECT_EQ(message_of("T6 rigth 30 mm"), "unknown place 'T6 rigth 30 mm'; did you mean 'T6 right 30 mm'?");
   EXPECT_EQ(message_of("right iliac crest up 10 lft 5"),
             "unknown place 'right iliac crest up 10 lft 5'; did you mean 'right iliac crest left 5 mm up 10 mm'?");
@@ -82,10 +84,10 @@ TEST(Places, AMisspeltWordIsAnsweredWithFewNames) {
 }
 
 TEST(Places, APointIsToldFromTheLandmarkThatAnExaminerWouldStartFrom) {
-  EXPECT_EQ(inWords(kLandmarks, {3, 41, 100}), "T6");
-  EXPECT_EQ(inWords(kLandmarks, {32, 48, 98}), "T6, 30 mm right and 8 mm up");
-  EXPECT_EQ(inWords(kLandmarks, {-48, -300, 98}), "left PSIS, 5 mm down");
-  EXPECT_EQ(inWords({}, {0, 0, 0}), "");
+  EXPECT_EQ(describePlace(kLandmarks, {3, 41, 100}), "T6");
+  EXPECT_EQ(describePlace(kLandmarks, {32, 48, 98}), "T6, 30 mm right and 8 mm up");
+  EXPECT_EQ(describePlace(kLandmarks, {-48, -300, 98}), "left PSIS, 5 mm down");
+  EXPECT_EQ(describePlace({}, {0, 0, 0}), "");
 }
 
 TEST(Places, EveryNameInTheListIsFound) {

@@ -81,7 +81,7 @@ void expectLetGoInTheOtherSector(Track& finger, double clear_mm) {
 }
 
 /// Tangential over normal force.
-inline double ratioOf(const FingerOutput& output) {
+inline double frictionRatio(const FingerOutput& output) {
   const double normal = output.force.dot(output.normal);
   return (output.force - normal * output.normal).norm() / normal;
 }
@@ -95,9 +95,9 @@ double highestRatioOfADrag(Track& finger, double radius_mm, double step_mm) {
   double highest = 0.0;
   for (double x = 30 + step_mm; x <= 60; x += step_mm) {
     const FingerOutput output = finger.to({x, 50.3, -5});
-    highest = std::max(highest, ratioOf(output));
+    highest = std::max(highest, frictionRatio(output));
     if (output.touch == Touch::slip) {
-      EXPECT_NEAR(ratioOf(output), 0.44, 1e-9) << step_mm;
+      EXPECT_NEAR(frictionRatio(output), 0.44, 1e-9) << step_mm;
     }
   }
   return highest;
@@ -117,7 +117,7 @@ void expectEntranceEverywhere(const Plate& plate) {
   }
 }
 
-inline FingerSettings sphereOf(double radius_mm) {
+inline FingerSettings sphereSettings(double radius_mm) {
   FingerSettings settings;
   settings.radius_mm = radius_mm;
   return settings;

@@ -55,7 +55,7 @@ TEST(Friction, SticksThenSlipsAtItsTwoCoefficients) {
   const Surface plate = surfaceOf(zoo::grid());
   for (const double radius : {0.0, 5.0}) {
     for (const double step : {0.02, 0.05, 0.1, 0.2, 0.5}) {
-      FingerTrack finger(plate, sphereOf(radius));
+      FingerTrack finger(plate, sphereSettings(radius));
       const double highest = highestRatioOfADrag(finger, radius, step);
       EXPECT_LE(highest, 0.46 + 1e-9);
       if (step <= 0.02) {
@@ -96,15 +96,15 @@ TEST(Friction, ItsCoefficientsHoldUnderEveryForceLawAtAnySpeed) {
     plate.force_law = law;
     for (const double radius : {0.0, 5.0}) {
       for (const double step : {0.02, 0.1, 0.5}) {
-        FingerTrack finger(plate, sphereOf(radius));
+        FingerTrack finger(plate, sphereSettings(radius));
         finger.to({30, 50.3, radius + 2});
         finger.slide({30, 50.3, -5}, 0.05);
         double highest = 0.0;
         for (double x = 30 + step; x <= 60; x += step) {
           const FingerOutput output = finger.to({x, 50.3, -5 + 2 * std::sin(x)});  // pressing and easing
-          highest = std::max(highest, ratioOf(output));
+          highest = std::max(highest, frictionRatio(output));
           if (output.touch == Touch::slip) {
-            ASSERT_NEAR(ratioOf(output), 0.44, 1e-9) << static_cast<int>(law.kind) << " step " << step;
+            ASSERT_NEAR(frictionRatio(output), 0.44, 1e-9) << static_cast<int>(law.kind) << " step " << step;
           }
         }
         EXPECT_LE(highest, 0.46 + 1e-9);
@@ -138,7 +138,7 @@ TEST(Friction, ASofterTangentialSpringFollowsFarther) {
   finger.slide({30, 50, -10}, 0.5);
   const FingerOutput output = finger.slide({70, 50, -10}, 0.2);
   EXPECT_EQ(output.touch, Touch::slip);
-  EXPECT_NEAR(ratioOf(output), 0.44, 1e-9);
+  EXPECT_NEAR(frictionRatio(output), 0.44, 1e-9);
   EXPECT_NEAR((output.proxy - output.anchor).norm(), 0.44 * 10 / 0.23, 1e-6) << "19 mm at 10 mm depth (E2)";
   const Vec3 derived = anchorOfForce(output.proxy, output.tip, output.normal, output.force, soft.stiffness_ratio);
   EXPECT_NEAR((derived - output.anchor).norm(), 0, 1e-6);

@@ -33,7 +33,7 @@ std::shared_ptr<const Lumps> twoLumps() {
 }
 
 FingerSettings frictionless(double radius_mm = 0.0) {
-  FingerSettings settings = sphereOf(radius_mm);
+  FingerSettings settings = sphereSettings(radius_mm);
   settings.mu_static = settings.mu_dynamic = 0.0;
   return settings;
 }

@@ -314,7 +314,7 @@ TEST(StepAll, GivesEveryFingerTheBitsOfItsOwnStep) {
 }
 
 TEST(FingerSettings, ScaleChangesLengthsOnly) {
-  const FingerSettings small = scaled(sphereOf(8.0), 0.001);
+  const FingerSettings small = scaled(sphereSettings(8.0), 0.001);
   EXPECT_DOUBLE_EQ(small.radius_mm, 0.008);
   EXPECT_DOUBLE_EQ(small.max_depth_mm, 0.04);
   EXPECT_DOUBLE_EQ(small.catch_up_mm_per_s, 0.1);
@@ -324,8 +324,8 @@ TEST(FingerSettings, ScaleChangesLengthsOnly) {
 
 TEST(FingerSettings, NonsenseIsNamed) {
   EXPECT_NO_THROW(check(FingerSettings{}));
-  EXPECT_THROW(check(sphereOf(-1.0)), Error);
-  EXPECT_THROW(check(sphereOf(NAN)), Error);
+  EXPECT_THROW(check(sphereSettings(-1.0)), Error);
+  EXPECT_THROW(check(sphereSettings(NAN)), Error);
   FingerSettings swapped;
   swapped.mu_dynamic = 0.5;
   EXPECT_THROW(check(swapped), Error);

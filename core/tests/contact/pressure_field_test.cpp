@@ -31,7 +31,7 @@ Felt pressed(const Vec2& place, double depth_mm, std::vector<Lump> lumps, const 
   plate.tissue_mm.assign(plate.stiffness_n_per_mm->size(), 40.0);
   Felt felt{.output = {}, .lumps = std::make_shared<const Lumps>(Lumps{.all = std::move(lumps)})};
   plate.lumps = felt.lumps;
-  FingerTrack finger(plate, sphereOf(8.0));
+  FingerTrack finger(plate, sphereSettings(8.0));
   finger.to({place.x(), place.y(), 10.0});
   finger.slide({place.x(), place.y(), 8.0 - depth_mm}, 0.1);
   felt.output = finger.slide(Vec3(place.x(), place.y(), 8.0 - depth_mm) + drag_mm, 0.1);
@@ -44,14 +44,14 @@ struct Field {
   PadSums sums;
 };
 
-Field fieldOf(const Felt& felt, const PressurePad& pad = {}) {
+Field computeField(const Felt& felt, const PressurePad& pad = {}) {
   static const PressureGround ground = test::inventedGround();
   Field field{std::vector<double>(pad.taxels * pad.taxels), std::vector<Vec2>(pad.taxels * pad.taxels), {}};
   field.sums = pressureField(ground, felt.lumps.get(), felt.output, pad, field.kpa, field.shear);
   return field;
 }
 
-double sumOf(const Field& field, const PressurePad& pad) {
+double totalForce(const Field& field, const PressurePad& pad) {
   const double side = pad.size_mm / static_cast<double>(pad.taxels);
   return kNPerKpaMm2 * side * side * std::accumulate(field.kpa.begin(), field.kpa.end(), 0.0);
 }
@@ -86,8 +86,8 @@ TEST(PressureField, AddsUpToTheNormalForceAndToTheLateralForceOfTheLumps) {
     const Vec2 lateral_n(felt.output.lump_force.dot(plane.u), felt.output.lump_force.dot(plane.v));
     for (const std::size_t taxels : {2, 3, 4, 5, 8, 13, 16}) {
       const PressurePad pad{.taxels = taxels};
-      const Field field = fieldOf(felt, pad);
-      EXPECT_NEAR(sumOf(field, pad), normal_n, 1e-9 * normal_n);
+      const Field field = computeField(felt, pad);
+      EXPECT_NEAR(totalForce(field, pad), normal_n, 1e-9 * normal_n);
       EXPECT_NEAR(field.sums.normal_n, normal_n, 1e-9 * normal_n);
       EXPECT_NEAR((field.sums.lateral_n - lateral_n).norm(), 0.0, 1e-6 * normal_n) << taxels << " taxels, run " << i;
       EXPECT_GE(*std::min_element(field.kpa.begin(), field.kpa.end()), 0.0);
@@ -98,7 +98,7 @@ TEST(PressureField, AddsUpToTheNormalForceAndToTheLateralForceOfTheLumps) {
 TEST(PressureField, IsTheLayersPatternWhereThereIsNoLump) {
   const Felt felt = pressed({50, 50}, 5.0, {});
   const PressurePad pad{.taxels = 16};
-  const Field field = fieldOf(felt, pad);
+  const Field field = computeField(felt, pad);
   const double force_n = felt.output.force.dot(felt.output.normal);
   const tissue::PressurePattern pattern = test::inventedGround().at(40.0, felt.output.depth_mm, 8.0);
   for (int row = 0; row < 16; ++row) {
@@ -120,8 +120,8 @@ TEST(PressureField, ALumpMakesABumpOnItsSideAndPushesTheTipOff) {
   // The lump is to the right of the finger and nearer to the head.
   const Felt felt = pressed({47, 46}, 5.0, {test::inventedLump({50, 50, 0})});
   const Felt plain = pressed({47, 46}, 5.0, {});
-  const Field with = fieldOf(felt, pad);
-  const Field without = fieldOf(plain, pad);
+  const Field with = computeField(felt, pad);
+  const Field without = computeField(plain, pad);
   double right = 0.0, left = 0.0, head = 0.0, feet = 0.0;
   for (std::size_t i = 0; i < with.kpa.size(); ++i) {
     const double more = with.kpa[i] - without.kpa[i];
@@ -131,18 +131,18 @@ TEST(PressureField, ALumpMakesABumpOnItsSideAndPushesTheTipOff) {
   EXPECT_GT(right, left);
   EXPECT_GT(head, feet);
   EXPECT_LT(felt.output.lump_force.x(), 0.0);
-  EXPECT_LT(lateralOf(fieldOf(felt, {.taxels = 16}), {.taxels = 16}).x(), 0.0);
+  EXPECT_LT(lateralOf(computeField(felt, {.taxels = 16}), {.taxels = 16}).x(), 0.0);
 }
 
 TEST(PressureField, OfALumpThatMovedIsWhereTheLumpIs) {
   Felt felt = pressed({50, 50}, 5.0, {test::inventedLump({50, 50, 0})});
   const PressurePad pad{.taxels = 8};
-  const Field middle = fieldOf(felt, pad);
+  const Field middle = computeField(felt, pad);
   felt.output.lump = 0;
   felt.output.lump_moved_mm = {3.0, 0.0};
   felt.output.lump_force.x() = -0.01;
   felt.output.force.x() = -0.01;
-  const Field moved = fieldOf(felt, pad);
+  const Field moved = computeField(felt, pad);
   double shift = 0.0;
   for (std::size_t i = 0; i < 64; ++i) shift += (moved.kpa[i] - middle.kpa[i]) * (static_cast<double>(i % 8) - 3.5);
   EXPECT_GT(shift, 0.0);
@@ -152,7 +152,7 @@ TEST(PressureField, ShearIsFrictionsShareOfThePressure) {
   const Felt felt = pressed({50, 50}, 5.0, {test::inventedLump({50, 50, 0})}, {6.0, 0.0, 0.0});
   ASSERT_EQ(felt.output.touch, Touch::slip);
   const PressurePad pad;
-  const Field field = fieldOf(felt, pad);
+  const Field field = computeField(felt, pad);
   const Vec3 friction = felt.output.force - felt.output.lump_force;
   Vec2 sum = Vec2::Zero();
   for (std::size_t i = 0; i < field.kpa.size(); ++i) {
@@ -166,13 +166,13 @@ TEST(PressureField, ShearIsFrictionsShareOfThePressure) {
 
 TEST(PressureField, IsNothingInTheAirAndNeverJumpsOnTheWayIn) {
   const Felt air = pressed({50, 50}, -1.0, {test::inventedLump({50, 50, 0})});
-  for (const double kpa : fieldOf(air).kpa) EXPECT_EQ(kpa, 0.0);
+  for (const double kpa : computeField(air).kpa) EXPECT_EQ(kpa, 0.0);
   const PressurePad pad{.taxels = 4};
   constexpr double kMostKpaPerMm = 75.0;
   constexpr double kStepMm = 0.05;
-  Field before = fieldOf(pressed({51, 50}, 0.02, {test::inventedLump({50, 50, 0})}), pad);
+  Field before = computeField(pressed({51, 50}, 0.02, {test::inventedLump({50, 50, 0})}), pad);
   for (double depth = 0.02 + kStepMm; depth < 7.0; depth += kStepMm) {
-    const Field now = fieldOf(pressed({51, 50}, depth, {test::inventedLump({50, 50, 0})}), pad);
+    const Field now = computeField(pressed({51, 50}, depth, {test::inventedLump({50, 50, 0})}), pad);
     for (std::size_t i = 0; i < 16; ++i) {
       EXPECT_NEAR(now.kpa[i], before.kpa[i], kMostKpaPerMm * kStepMm) << depth << " mm, taxel " << i;
     }
@@ -197,12 +197,12 @@ TEST(PressureField, ALargeDeepLumpIsTouchedALittleFartherOut) {
 TEST(PressureField, HasTheSameBitsOnEveryInstructionSet) {
   const Felt felt = pressed({47, 52}, 5.0, {test::inventedLump({50, 50, 0}), test::inventedLump({63, 45, 0})});
   for (const std::size_t taxels : {2u, 3u, 4u, 8u, 11u, 16u}) {
-    const Field expected = fieldOf(felt, {.taxels = taxels});
+    const Field expected = computeField(felt, {.taxels = taxels});
     int compared = 0;
     for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1, ++compared) {
       hwy::SetSupportedTargetsForTest(left & -left);
       hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-      const Field field = fieldOf(felt, {.taxels = taxels});
+      const Field field = computeField(felt, {.taxels = taxels});
       hwy::SetSupportedTargetsForTest(0);
       hwy::GetChosenTarget().Update(hwy::SupportedTargets());
       EXPECT_EQ(field.kpa, expected.kpa) << taxels << " taxels, " << hwy::TargetName(left & -left);
@@ -219,7 +219,7 @@ TEST(PressureField, OfManyLumpsDoesNotDependOnTheirOrder) {
   Felt other = felt;
   std::reverse(lumps.begin(), lumps.end());
   other.lumps = std::make_shared<const Lumps>(Lumps{.all = lumps});
-  const Field one = fieldOf(felt, {.taxels = 8}), reversed = fieldOf(other, {.taxels = 8});
+  const Field one = computeField(felt, {.taxels = 8}), reversed = computeField(other, {.taxels = 8});
   for (std::size_t i = 0; i < one.kpa.size(); ++i) EXPECT_NEAR(one.kpa[i], reversed.kpa[i], 1e-9 * one.kpa[27]) << i;
 }
 
@@ -233,7 +233,7 @@ TEST(PressureField, AsksForNoMemory) {
 }
 
 /// What the pattern alone is worth: the forces are the finite elements' own, and c and q those of the stack.
-PressureGround groundOf(const std::vector<tissue::PressurePattern>& at_2_5_8_mm) {
+PressureGround makeGround(const std::vector<tissue::PressurePattern>& at_2_5_8_mm) {
   tissue::PressField field;
   field.depths_mm = {2.0, 5.0, 8.0};
   field.patterns = at_2_5_8_mm;
@@ -252,7 +252,7 @@ TEST(PressureField, FallsOffAsItsExponentSays) {
   felt.force = 2.0 * felt.normal;
   for (const double exponent : {0.0, 0.1, 0.3, 0.49, 0.5, 0.6, 0.99, 1.0, 1.7, 2.5}) {
     const tissue::PressurePattern pattern{6.0, exponent};
-    const PressureGround ground = groundOf({pattern, pattern, pattern});
+    const PressureGround ground = makeGround({pattern, pattern, pattern});
     std::array<double, 256> kpa;
     pressureField(ground, nullptr, felt, {.taxels = 16}, kpa);
     const double peak = tissue::pressureAt(pattern, 2.0, 0.0);
@@ -267,7 +267,7 @@ TEST(PressureField, FallsOffAsItsExponentSays) {
 }
 
 /// Means over rings of 1 mm, kPa, of 16 x 16 taxels of 1 mm.
-std::array<double, 9> ringsOf(std::span<const double> kpa) {
+std::array<double, 9> ringMeans(std::span<const double> kpa) {
   std::array<double, 9> sum{}, count{};
   for (int i = 0; i < 256; ++i) {
     const int row = i / 16;
@@ -281,7 +281,7 @@ std::array<double, 9> ringsOf(std::span<const double> kpa) {
 }
 
 /// RMS over the rings that touch, of the peak.
-double errorOf(const std::array<double, 9>& rings, const nlohmann::json& truth) {
+double relativeRmsError(const std::array<double, 9>& rings, const nlohmann::json& truth) {
   double square = 0.0, peak = 0.0, count = 0.0;
   for (std::size_t ring = 0; ring < 9; ++ring) {
     const double kpa = truth[ring];
@@ -324,14 +324,14 @@ GoldenErrors goldenErrors(const std::string& stack, const PressureGround& ground
       felt.lump_force = felt.force - press["force_without_n"].get<double>() * felt.normal;
       std::array<double, 256> kpa;
       pressureField(ground, &lumps, felt, {.taxels = 16}, kpa);
-      const double error = errorOf(ringsOf(kpa), press["pressure_kpa"]);
+      const double error = relativeRmsError(ringMeans(kpa), press["pressure_kpa"]);
       errors.mean += error;
       presses += 1.0;
       if (placed.shape.depth_mm > 3.5) continue;
       felt.lump_force.setZero();
       pressureField(ground, &lumps, felt, {.taxels = 16}, kpa);
       errors.shallow += error;
-      errors.only_scaled += errorOf(ringsOf(kpa), press["pressure_kpa"]);
+      errors.only_scaled += relativeRmsError(ringMeans(kpa), press["pressure_kpa"]);
       shallow += 1.0;
     }
   }
@@ -340,8 +340,8 @@ GoldenErrors goldenErrors(const std::string& stack, const PressureGround& ground
 }
 
 TEST(PressureField, IsNearThatOfFiniteElementsOverLumps) {
-  const GoldenErrors back = goldenErrors("A", groundOf({{2.9, 0.02}, {5.1, 0.06}, {6.4, 0.14}}), 2.0);
-  const GoldenErrors soft = goldenErrors("B", groundOf({{3.1, 0.10}, {5.1, 0.10}, {6.4, 0.18}}), 1.5);
+  const GoldenErrors back = goldenErrors("A", makeGround({{2.9, 0.02}, {5.1, 0.06}, {6.4, 0.14}}), 2.0);
+  const GoldenErrors soft = goldenErrors("B", makeGround({{3.1, 0.10}, {5.1, 0.10}, {6.4, 0.18}}), 1.5);
   for (const GoldenErrors& errors : {back, soft}) {
     EXPECT_LT(errors.mean, 0.06);
     EXPECT_LT(errors.shallow, 0.6 * errors.only_scaled);

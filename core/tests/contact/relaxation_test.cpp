@@ -20,7 +20,7 @@ FingerSettings relaxing(double share, double time_s, double share_2 = 0.0, doubl
   return settings;
 }
 
-Surface plateOf(const tissue::ForceLaw& law) {
+Surface makePlate(const tissue::ForceLaw& law) {
   const mesh::RepairResult fit = mesh::repair(zoo::grid());
   SurfaceOptions options;
   options.force_law = law;
@@ -69,7 +69,7 @@ TEST(Relaxation, AHeldPressFallsAsTheExponentialAtAnyRate) {
 TEST(Relaxation, EveryLawFallsByTheSameShare) {
   for (const auto kind : kLaws) {
     const tissue::ForceLaw law = lawOf(kind);
-    const Surface plate = plateOf(law);
+    const Surface plate = makePlate(law);
     FingerTrack finger(plate, relaxing(0.15, 0.1));
     finger.to(over(1));
     const double at_once = finger.to(over(-7)).force.z();
@@ -112,8 +112,8 @@ struct Work {
   double most = 0.0;
 };
 
-Work workOf(const Surface& plate, const FingerSettings& settings, int ticks,
-            const std::function<Vec3(double)>& tip_at_s) {
+Work measureWork(const Surface& plate, const FingerSettings& settings, int ticks,
+                 const std::function<Vec3(double)>& tip_at_s) {
   FingerTrack finger(plate, settings);
   Work work;
   Vec3 tip = tip_at_s(0.0);
@@ -147,7 +147,7 @@ TEST(Relaxation, ReturnsNoMoreThanTheHandPutInHoweverItIsPressed) {
   Random random(20261122);
   double clipped_lost = 0.0;
   for (const auto kind : kLaws) {
-    const Surface plate = plateOf(lawOf(kind));
+    const Surface plate = makePlate(lawOf(kind));
     for (int path = 0; path < 60; ++path) {
       const bool two = path % 2 == 1;
       const double share = random.uniform(0.05, two ? 0.45 : 0.9);
@@ -156,7 +156,7 @@ TEST(Relaxation, ReturnsNoMoreThanTheHandPutInHoweverItIsPressed) {
       settings.tick_s = 0.0002;  // fine, so that what sampling itself gives is small
       const auto depth = randomDepth(random, 3.0);
       const auto straight = [&](double t) { return over(0.5 - depth(t)); };
-      const Work work = workOf(plate, settings, 15000, straight);
+      const Work work = measureWork(plate, settings, 15000, straight);
       EXPECT_GE(work.least, -2e-5 * work.most) << static_cast<int>(kind) << " " << path << " " << work.most;
       EXPECT_GE(work.last, 1e-3 * work.most) << "what relaxes is lost: " << static_cast<int>(kind) << " " << path;
       clipped_lost = std::max(clipped_lost, work.last / work.most);
@@ -177,7 +177,7 @@ TEST(Relaxation, SlidingWithoutFrictionGivesNothingEither) {
     const auto sliding = [&](double t) {
       return Vec3(50 + 30 * std::sin(speed * t), 50 + 20 * std::cos(1.7 * speed * t), 0.5 - depth(t));
     };
-    const Work work = workOf(plate, settings, 6000, sliding);
+    const Work work = measureWork(plate, settings, 6000, sliding);
     EXPECT_GE(work.least, -1e-4 * work.most) << path;
   }
 }
@@ -229,12 +229,12 @@ TEST(Relaxation, FrictionIsExactWhileTheForceFalls) {
       const bool still = tick % 40 > 30;
       const double x = 50.2 + (still ? 0.0 : 0.05 * tick);
       const FingerOutput output = step(plate, settings, state, {still ? state.tip.x() : x, 50.1, -5});
-      EXPECT_LE(ratioOf(output), 0.46 + 1e-9) << tick;
+      EXPECT_LE(frictionRatio(output), 0.46 + 1e-9) << tick;
       if (tick > 80) {
-        EXPECT_NEAR(ratioOf(output), 0.44, 1e-6) << "also where it stands still: " << tick;
+        EXPECT_NEAR(frictionRatio(output), 0.44, 1e-6) << "also where it stands still: " << tick;
       }
       if (output.touch != Touch::slip) continue;
-      EXPECT_NEAR(ratioOf(output), 0.44, 1e-9) << tick;
+      EXPECT_NEAR(frictionRatio(output), 0.44, 1e-9) << tick;
       ++slipping;
     }
     EXPECT_GT(slipping, 150);

@@ -11,7 +11,7 @@ namespace palpate::contact {
 namespace {
 
 FingerSettings slick(double radius_mm) {
-  FingerSettings settings = sphereOf(radius_mm);
+  FingerSettings settings = sphereSettings(radius_mm);
   settings.mu_static = settings.mu_dynamic = 0.0;
   return settings;
 }
@@ -62,7 +62,7 @@ void expectTheSameOfACutHand(const std::vector<double>& sides) {
   ASSERT_FALSE(cut.geometry->closed);
   for (std::size_t gap = 1; gap + 2 < sides.size(); gap += 2) {
     const double y = 0.5 * (sides[gap] + sides[gap + 1]) + 0.1;
-    FingerTrack of_whole(whole, sphereOf(8.0)), of_cut(cut, sphereOf(8.0));
+    FingerTrack of_whole(whole, sphereSettings(8.0)), of_cut(cut, sphereSettings(8.0));
     double most = 0.0, below = 0.0;
     for (int tick = 0; tick < 400; ++tick) {
       const Vec3 tip(80, y, 31 - 0.15 * tick);
@@ -110,7 +110,7 @@ mesh::TriangleMesh openHorn() {
 TEST(SphereFinger, TouchesAtItsRadius) {
   const Surface plate = surfaceOf(zoo::grid());
   for (const double radius : {0.5, 5.0, 8.0}) {
-    FingerTrack finger(plate, sphereOf(radius));
+    FingerTrack finger(plate, sphereSettings(radius));
     EXPECT_FALSE(touches(finger.to({51, 49, radius + 1})));
     const FingerOutput output = finger.to({51, 49, radius - 2});
     EXPECT_NEAR(output.depth_mm, 2.0, 1e-4 * radius);
@@ -162,7 +162,7 @@ TEST(SphereFinger, RollsOverACubesEdgeAndCorner) {
 TEST(SphereFinger, NeverSinksInNorHangsInAWalkOverHills) {
   const Surface hills = surfaceOf(zoo::wavyGrid(60, 120.0, 6.0));
   for (const double radius : {0.5, 5.0, 8.0}) {
-    FingerTrack finger(hills, sphereOf(radius));
+    FingerTrack finger(hills, sphereSettings(radius));
     Random random(51);
     Vec3 tip(60, 60, 30);
     finger.to(tip);
@@ -181,7 +181,7 @@ TEST(SphereFinger, NeverSinksInNorHangsInAWalkOverHills) {
 
 TEST(SphereFinger, OneThatStartsInTheSkinIsPushedOutGently) {
   const Surface plate = surfaceOf(zoo::grid());
-  FingerTrack finger(plate, sphereOf(8.0));
+  FingerTrack finger(plate, sphereSettings(8.0));
   FingerOutput last = finger.to({50, 50, 5});
   EXPECT_TRUE(touches(last)) << "in its first tick";
   EXPECT_NE(last.status & kStartedInside, 0u);
@@ -196,7 +196,7 @@ TEST(SphereFinger, OneThatStartsInTheSkinIsPushedOutGently) {
 
 TEST(SphereFinger, OneThatStartsInsideABodyIsFreeUntilItHasBeenOutside) {
   const Surface box = surfaceOf(zoo::cube(100.0, {0, 0, 0}));
-  FingerTrack finger(box, sphereOf(8.0));
+  FingerTrack finger(box, sphereSettings(8.0));
   EXPECT_FALSE(touches(finger.to({50, 50, 50})));
   EXPECT_FALSE(touches(finger.slide({50, 50, 99}, 0.5)));
   EXPECT_TRUE(touches(finger.slide({50, 50, 101}, 0.5)));
@@ -221,7 +221,7 @@ TEST(SphereFinger, FadesAtTheBorderAndComesBackUnderTheSheetFreely) {
 
 TEST(SphereFinger, PressedNearABorderItDoesNotSlipUnderTheSheet) {
   const Surface plate = surfaceOf(zoo::grid(8, 100.0));
-  FingerTrack finger(plate, sphereOf(8.0));
+  FingerTrack finger(plate, sphereSettings(8.0));
   finger.to({97, 50, 12});
   const FingerOutput output = finger.slide({97, 50, -15}, 0.5);
   EXPECT_TRUE(touches(output));
@@ -230,7 +230,7 @@ TEST(SphereFinger, PressedNearABorderItDoesNotSlipUnderTheSheet) {
 
 TEST(SphereFinger, IsNeverThrownToTheFarSideOfABody) {
   const Surface box = surfaceOf(zoo::cube(100.0, {0, 0, 0}));
-  FingerTrack finger(box, sphereOf(8.0));
+  FingerTrack finger(box, sphereSettings(8.0));
   finger.to({50, 60, 120});
   FingerOutput output = finger.slide({50, 60, 1}, 1.0);  // 99 mm below the top, 1 above the bottom
   EXPECT_NEAR(finger.state().centre.z(), 108.0, 0.01);
@@ -245,7 +245,7 @@ TEST(SphereFinger, IsNotHeldInFreeAirByAnEdgeThatTwoBoxesShare) {
   mesh::TriangleMesh boxes = zoo::cubesSharingAnEdge();
   for (Vec3& place : boxes.positions) place *= 5.0;
   const Surface surface = surfaceOf(boxes);
-  FingerTrack finger(surface, sphereOf(5.0));
+  FingerTrack finger(surface, sphereSettings(5.0));
   expectLetGoInTheOtherSector(finger, 6.0);
 }
 
@@ -254,7 +254,7 @@ TEST(SphereFinger, IsLetGoWhereItsCentreIsPastAGapAndInFreeAir) {
   mesh::TriangleMesh bars = zoo::cube(10.0, {-13, 0, 0});
   mesh::append(zoo::cube(10.0, {3, 0, 0}), bars);
   const Surface surface = surfaceOf(bars);
-  FingerTrack finger(surface, sphereOf(5.0));
+  FingerTrack finger(surface, sphereSettings(5.0));
   finger.to({0.1, 5, 20});
   FingerOutput output = finger.slide({0.1, 5, -4.0}, 0.1);  // 4 mm below the bars: not clear yet
   EXPECT_GT(output.force.z(), 5.0) << "it does not fit through";
@@ -272,7 +272,7 @@ TEST(SphereFinger, IsLetGoBetweenTheFingersOfAHandThatIsOpenAtTheWrist) {
 TEST(SphereFinger, IsLetGoFarBeyondABorderThatItSlidOver) {
   // 52 mm below a sheet of 100 x 100 mm, continued flat, the force would fade until 60 mm beyond its border.
   const Surface sheet = surfaceOf(zoo::grid());
-  FingerSettings deep = sphereOf(8.0);
+  FingerSettings deep = sphereSettings(8.0);
   deep.max_depth_mm = 100.0;
   FingerTrack finger(sheet, deep);
   finger.to({90, 50, 9});
@@ -293,7 +293,7 @@ TEST(SphereFinger, ThatGoesOverAHoleIsHeldByTheSkinOfTheOtherBank) {
   });
   const Surface surface = surfaceOf(sheet);
   ASSERT_FALSE(surface.geometry->closed);
-  FingerTrack finger(surface, sphereOf(5.0));
+  FingerTrack finger(surface, sphereSettings(5.0));
   finger.to({30, 50, 8});
   finger.slide({30, 50, -32}, 0.5);
   EXPECT_LT(finger.slide({58, 50, -32}, 0.5).force.z(), 12.0) << "beyond the border it fades";
@@ -306,7 +306,7 @@ TEST(SphereFinger, ThatGoesOverAHoleIsHeldByTheSkinOfTheOtherBank) {
 TEST(SphereFinger, BeyondABorderItFadesWhereverAPointWouldPress) {
   const Surface horn = surfaceOf(openHorn());
   ASSERT_FALSE(horn.geometry->closed);
-  FingerTrack finger(horn, sphereOf(5.0));
+  FingerTrack finger(horn, sphereSettings(5.0));
   finger.to({-1, 25, 47});
   finger.to({-27, 15, 59});
   const FingerOutput output = finger.to({-35, -7, 40});
@@ -336,7 +336,7 @@ TEST(SphereFinger, APointThatCameInByAnOpeningIsFreeInsideAfterItTouchedWhatIsTh
 
 TEST(SphereFinger, ALostTipGivesNoForceAndForgetsNothing) {
   const Surface plate = surfaceOf(zoo::grid());
-  FingerTrack finger(plate, sphereOf(5.0));
+  FingerTrack finger(plate, sphereSettings(5.0));
   finger.to({50, 50, 9});
   finger.slide({50, 50, 2}, 0.5);
   const FingerOutput before = finger.to({50, 50, 2});
@@ -346,7 +346,7 @@ TEST(SphereFinger, ALostTipGivesNoForceAndForgetsNothing) {
 
 TEST(SphereFinger, AVerySmallSphereFeelsLikeAPoint) {
   const Surface back = surfaceOf(lab::backMesh(2962));
-  FingerTrack point(back), sphere(back, sphereOf(0.001));
+  FingerTrack point(back), sphere(back, sphereSettings(0.001));
   Vec3 tip(175, 200, lab::backHeight(175, 200) + 3);
   point.to(tip);
   sphere.to(tip);

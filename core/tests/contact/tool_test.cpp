@@ -109,7 +109,7 @@ FingerSettings slick() {
   return settings;
 }
 
-Box3 boxOf(const Surface& surface) {
+Box3 computeSurfaceBox(const Surface& surface) {
   Box3 box;
   for (const tree::TriangleRecord& record : surface.geometry->tree.records) {
     for (const Vec3& corner : record.corners) box.extend(corner);
@@ -120,7 +120,7 @@ Box3 boxOf(const Surface& surface) {
 /// A wandering tool that comes at a body from all sides, presses, turns, jumps now and then and leaves again.
 void wander(ToolTrack& tool, const Surface& surface, int ticks, std::uint64_t seed) {
   Random random(seed);
-  const Box3 box = boxOf(surface);
+  const Box3 box = computeSurfaceBox(surface);
   const double size = box.diagonal().norm();
   Vec3 at = box.center() + Vec3(0.0, 0.0, 0.7 * size);
   Vec3 goal = box.center();
@@ -383,7 +383,7 @@ TEST(ToolShapes, HaveThePadsTheyAreNamedFor) {
 TEST(ToolShapes, ThatMakeNoSenseAreRefusedByName) {
   const Surface plate = surfaceOf(zoo::grid());
   const auto message = [&](const ToolShape& shape) {
-    return support::messageOf([&] { (void)makeToolState(shape, plate); });
+    return support::thrownMessage([&] { (void)makeToolState(shape, plate); });
   };
   EXPECT_NE(message({}).find("at least one pad"), std::string::npos);
   ToolShape flat = fingertipTool();

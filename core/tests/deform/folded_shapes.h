@@ -10,7 +10,7 @@
 namespace palpate::test {
 
 /// Cells of an open sheet with corner points `at(i, j)`, facing up where i grows along x and j along y.
-inline mesh::TriangleMesh sheetOf(int along, int across, const std::function<Vec3(double, double)>& at) {
+inline mesh::TriangleMesh makeSheet(int along, int across, const std::function<Vec3(double, double)>& at) {
   mesh::TriangleMesh mesh;
   for (int j = 0; j <= across; ++j) {
     for (int i = 0; i <= along; ++i) mesh.positions.push_back(at(1.0 * i / along, 1.0 * j / across));
@@ -57,7 +57,7 @@ inline mesh::TriangleMesh twoFingers(double gap_mm = 3.0, int cells = 150) {
   line.emplace_back(0.5 * gap_mm, -kDeep);
   add_arc({middle, 0.0}, std::numbers::pi, 0.0);
   line.emplace_back(middle + kRadius, -kDeep);
-  return sheetOf(cells, 60, [&](double s, double t) {
+  return makeSheet(cells, 60, [&](double s, double t) {
     const Vec2 place = alongLine(line, s);
     return Vec3(place.x(), 120.0 * t, place.y());
   });
@@ -66,7 +66,7 @@ inline mesh::TriangleMesh twoFingers(double gap_mm = 3.0, int cells = 150) {
 /// Toes: flat skin for y < 0, which a gap with walls opens along x = 0 from there on, 30 mm deep. The far bank can be
 /// reached around its end within a press.
 inline mesh::TriangleMesh twoToes(double gap_mm = 3.0, int cells = 120) {
-  return sheetOf(cells, 100, [&](double s, double t) {
+  return makeSheet(cells, 100, [&](double s, double t) {
     const double x = 80.0 * (s - 0.5);
     const double y = 80.0 * (t - 0.4);
     const double open = std::clamp(y / 6.0, 0.0, 1.0);
@@ -78,7 +78,7 @@ inline mesh::TriangleMesh twoToes(double gap_mm = 3.0, int cells = 120) {
 /// A back (z = 0) with an arm before it: a sheet that turns up at its end, runs back over the first 60 mm higher,
 /// facing the same way as the back; a ramp joins the two, all of it facing up.
 inline mesh::TriangleMesh ramp(double height_mm = 200.0) {
-  return sheetOf(160, 40, [&](double s, double t) {
+  return makeSheet(160, 40, [&](double s, double t) {
     const double x = 80.0 * (s - 0.5);
     const double up = std::clamp((x - 4.0) / 12.0, 0.0, 1.0);
     return Vec3(x, 80.0 * (t - 0.5), height_mm * up * up * (3.0 - 2.0 * up));
@@ -88,7 +88,7 @@ inline mesh::TriangleMesh ramp(double height_mm = 200.0) {
 /// A roof with an edge of 90 degrees along y: `cell_mm` wide cells.
 inline mesh::TriangleMesh ridge(double cell_mm) {
   const int cells = static_cast<int>(100.0 / cell_mm);
-  return sheetOf(cells, cells, [&](double s, double t) {
+  return makeSheet(cells, cells, [&](double s, double t) {
     const double x = 100.0 * (s - 0.5);
     return Vec3(x, 100.0 * (t - 0.5), -std::abs(x));
   });

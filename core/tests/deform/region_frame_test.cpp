@@ -17,19 +17,19 @@ maps::SurfaceEllipse ellipseOfRow(const nlohmann::json& c) {
   return {vec3(c["OA"]), c["aspect_minor_over_major"].get<double>()};
 }
 
-double ratioOf(const RegionFrame& frame, const Vec3& offset) { return locate(frame, inPlane(frame, offset)).q; }
+double frameRatio(const RegionFrame& frame, const Vec3& offset) { return locate(frame, inPlane(frame, offset)).q; }
 
 TEST(RegionFrame, TrueEllipseOfTheReference) {
   for (const auto& c : test::goldenRows("ellipse_q", "cases")) {
     const RegionFrame frame = ellipseFrame(ellipseOfRow(c), Vec3::UnitZ(), {});
-    EXPECT_NEAR(ratioOf(frame, vec3(c["OD"])), c["q_ellipse"], 1e-12) << c;
+    EXPECT_NEAR(frameRatio(frame, vec3(c["OD"])), c["q_ellipse"], 1e-12) << c;
   }
 }
 
 TEST(RegionFrame, PrintedRatioOfTheReference) {  // E14
   for (const auto& c : test::goldenRows("ellipse_q", "cases")) {
     const RegionFrame frame = ellipseFrame(ellipseOfRow(c), Vec3::UnitZ(), literally({Erratum::E14_location_ratio}));
-    EXPECT_NEAR(ratioOf(frame, vec3(c["OD"])), c["q_printed_4_13"], 1e-12) << c;
+    EXPECT_NEAR(frameRatio(frame, vec3(c["OD"])), c["q_printed_4_13"], 1e-12) << c;
   }
 }
 
@@ -38,7 +38,7 @@ TEST(RegionFrame, ProjectsAlongTheNormal) {
     const Vec3 normal = vec3(c["N"]);
     const maps::SurfaceEllipse circle{normal.unitOrthogonal(), 1.0};
     const RegionFrame frame = ellipseFrame(circle, normal, {});
-    EXPECT_NEAR(ratioOf(frame, vec3(c["J"]) - vec3(c["O"])), (vec3(c["D"]) - vec3(c["O"])).norm(), 1e-12) << c;
+    EXPECT_NEAR(frameRatio(frame, vec3(c["J"]) - vec3(c["O"])), (vec3(c["D"]) - vec3(c["O"])).norm(), 1e-12) << c;
   }
 }
 
@@ -48,8 +48,8 @@ TEST(RegionFrame, RatioTheWrongWayRoundTurnsTheLongSide) {  // E15
   for (const FormSettings& forms :
        {literally({Erratum::E15_aspect}), literally({Erratum::E14_location_ratio, Erratum::E15_aspect})}) {
     const RegionFrame frame = ellipseFrame(ellipse, Vec3::UnitZ(), forms);
-    EXPECT_NEAR(ratioOf(frame, Vec3(100, 0, 0)), 1.0, 1e-12);
-    EXPECT_NEAR(ratioOf(frame, Vec3(0, 200, 0)), 1.0, 1e-12) << "4 times the area";
+    EXPECT_NEAR(frameRatio(frame, Vec3(100, 0, 0)), 1.0, 1e-12);
+    EXPECT_NEAR(frameRatio(frame, Vec3(0, 200, 0)), 1.0, 1e-12) << "4 times the area";
   }
 }
 
@@ -60,17 +60,18 @@ TEST(RegionFrame, PedalCurveReachesBeyondTheEllipse) {  // E14
   double reach = 0.0;
   for (double angle = 0.0; angle < 6.3; angle += 0.01) {
     const Vec3 offset(std::cos(angle), std::sin(angle), 0.0);
-    reach = std::max(reach, ratioOf(exact, offset) / ratioOf(printed, offset));
+    reach = std::max(reach, frameRatio(exact, offset) / frameRatio(printed, offset));
   }
   EXPECT_NEAR(reach, (1.357 + 1.0 / 1.357) / 2.0, 1e-4) << "4.7 % at P4";
 }
 
 TEST(RegionFrame, CentreIsZeroInEveryShape) {
   const maps::SurfaceEllipse ellipse{Vec3(100, 0, 0), 0.5};
-  EXPECT_EQ(ratioOf(ellipseFrame(ellipse, Vec3::UnitZ(), {}), Vec3::Zero()), 0.0);
-  EXPECT_EQ(ratioOf(ellipseFrame(ellipse, Vec3::UnitZ(), literally({Erratum::E14_location_ratio})), Vec3::Zero()), 0.0);
+  EXPECT_EQ(frameRatio(ellipseFrame(ellipse, Vec3::UnitZ(), {}), Vec3::Zero()), 0.0);
+  EXPECT_EQ(frameRatio(ellipseFrame(ellipse, Vec3::UnitZ(), literally({Erratum::E14_location_ratio})), Vec3::Zero()),
+            0.0);
   const auto contour = maps::contourOf(std::vector<double>{10, 20, 30});
-  EXPECT_EQ(ratioOf(contourFrame({contour, Vec3::UnitX(), Vec3::UnitY()}, Vec3::UnitZ()), Vec3::Zero()), 0.0);
+  EXPECT_EQ(frameRatio(contourFrame({contour, Vec3::UnitX(), Vec3::UnitY()}, Vec3::UnitZ()), Vec3::Zero()), 0.0);
 }
 
 TEST(RegionFrame, ContourIsThatOfTheMaps) {
@@ -81,7 +82,7 @@ TEST(RegionFrame, ContourIsThatOfTheMaps) {
     const RegionFrame frame = contourFrame(surface, normal.normalized());
     for (int i = 0; i < 100; ++i) {
       const Vec3 offset = random.uniform(-30, 30) * surface.axis_x + random.uniform(-30, 30) * surface.axis_y;
-      EXPECT_NEAR(ratioOf(frame, offset + 3.0 * normal), maps::locationRatio(surface, offset), 1e-9);
+      EXPECT_NEAR(frameRatio(frame, offset + 3.0 * normal), maps::locationRatio(surface, offset), 1e-9);
     }
   }
 }

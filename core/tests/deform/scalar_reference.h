@@ -18,7 +18,7 @@ inline Vec3 restPoint(const Skin& skin, Index v) { return skin.restPosition(v).c
 
 /// q of a vertex in an ellipse whose plane is across `normal` and whose axes are turned into it. Higher or lower than
 /// 130 mm, or than a shorter half major axis, it grows as in an ellipsoid.
-inline double ratioOf(const maps::SurfaceEllipse& ellipse, const Vec3& normal, const Vec3& offset) {
+inline double ellipseRatio(const maps::SurfaceEllipse& ellipse, const Vec3& normal, const Vec3& offset) {
   const Vec3 n = normal.normalized();
   const Vec3 in_plane = ellipse.half_major - ellipse.half_major.dot(n) * n;
   const maps::SurfaceEllipse turned{in_plane.normalized() * ellipse.half_major.norm(), ellipse.aspect};
@@ -33,10 +33,10 @@ struct ScalarContact {
   double depth;  // capped
   Vec3 drag;     // capped
   double normalRatio(const Vec3& p) const {
-    return depth > 0.0 ? ratioOf(contact.normal_region, contact.normal, p - contact.anchor) : INFINITY;
+    return depth > 0.0 ? ellipseRatio(contact.normal_region, contact.normal, p - contact.anchor) : INFINITY;
   }
   double tangentialRatio(const Vec3& p) const {
-    return drag.norm() > 0.0 ? ratioOf(contact.tangential_region, contact.normal, p - contact.anchor) : INFINITY;
+    return drag.norm() > 0.0 ? ellipseRatio(contact.tangential_region, contact.normal, p - contact.anchor) : INFINITY;
   }
 };
 

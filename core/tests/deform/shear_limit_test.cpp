@@ -127,7 +127,7 @@ double widestParting(const Stage& stage) {
 // The input that showed it: two fingers in the banks of a gap on a scanned hand. Where the banks meet, vertices 1.5 mm
 // from each other moved 10 mm apart: a spike.
 TEST(ShearLimit, NoSpikeStandsUpWhereFingersPressTheBanksOfAGap) {
-  const mesh::TriangleMesh groove = test::sheetOf(80, 40, [](double s, double t) {
+  const mesh::TriangleMesh groove = test::makeSheet(80, 40, [](double s, double t) {
     const double along = 60.0 * (s - 0.5);
     return Vec3(0.4 * along, 80.0 * t, 0.9 * std::abs(along));
   });
@@ -150,7 +150,7 @@ TEST(ShearLimit, NoSpikeStandsUpWhereFingersPressTheBanksOfAGap) {
 // A plate that is thinner than the press: the thickness is said, not found (tree/triangle_tree.h finds it).
 TEST(ShearLimit, ADentGoesInByAtMostNineTenthsOfAThinPart) {
   for (const Way way : bothWays()) {
-    Stage stage(test::sheetOf(60, 60, [](double s, double t) { return Vec3(60 * s, 60 * t, 0); }), {}, way);
+    Stage stage(test::makeSheet(60, 60, [](double s, double t) { return Vec3(60 * s, 60 * t, 0); }), {}, way);
     setThickness(std::vector<float>(stage.skin.vertices, 4.0f), stage.skin);
     const Contact contact = deepest(press(stage.mesh, triangleNear(stage.mesh, {30, 30, 0}), 10.0), Vec3::Zero());
     EXPECT_GT(stage.apply({contact}).held_vertices, 10u);

@@ -9,7 +9,7 @@
 
 namespace palpate::hdb {
 
-using test::boxOf;
+using test::computeBox;
 
 namespace {
 
@@ -94,7 +94,7 @@ TEST(HapticBox, TakesTheWholeModelAsOneRange) {
   const mesh::TriangleMesh mesh = zoo::sphere(20.0, 4);
   const Partition partition = buildPartition(mesh, {.threshold = 64});
   TriangleHits hits;
-  findTriangles(partition, boxOf(mesh), hits);
+  findTriangles(partition, computeBox(mesh), hits);
   ASSERT_EQ(hits.ranges.size(), 1u);
   EXPECT_EQ(hits.ranges[0], (EntryRange{0, static_cast<Index>(mesh.triangles.size())}));
 }

@@ -73,7 +73,7 @@ TEST(HdbFinger, ATipThatIsNoNumberIsLostAndChangesNothing) {
 }
 
 TEST(HdbFinger, WithoutTrianglesInItsBoxItIsFree) {
-  const HdbBody plate(zoo::grid(), boxOf(4.0));
+  const HdbBody plate(zoo::grid(), cubeSettings(4.0));
   HdbTrack finger(plate);
   EXPECT_FALSE(touches(finger.to({50, 50, 500})));
   EXPECT_FALSE(touches(finger.slide({50, 50, 20}, 1.0)));
@@ -155,7 +155,7 @@ TEST(HdbFinger, FeelsWhatTheDefaultFingerFeelsToTheBitWhereItsListReaches) {
   std::size_t leaps = 0;
   for (const Height height : heights) {
     for (const double edge_mm : {10.0, 40.0}) {
-      const HdbBody body(sheetOver(height, 24), boxOf(edge_mm));
+      const HdbBody body(sheetOver(height, 24), cubeSettings(edge_mm));
       HdbTrack boxed(body);
       FingerTrack walking(body.surface);
       for (const Vec3& tip : wanderingUnder(height, 4.0, 11)) {
@@ -202,7 +202,7 @@ TEST(HdbFinger, BeyondABorderTheForceFadesAndTheFingerComesFree) {
 }
 
 TEST(HdbFinger, DoesNotAllocate) {
-  const HdbBody plate(zoo::grid(), boxOf(30.0, HdbQuery::coherent));
+  const HdbBody plate(zoo::grid(), cubeSettings(30.0, HdbQuery::coherent));
   HdbTrack finger(plate);
   finger.to({30, 50, 5});
   support::expectNoAllocation([&] {
@@ -218,7 +218,7 @@ namespace {
 
 /// Whether a finger that drops on a plate from some height passes it, in any of `phases` positions of the box's clock.
 bool punctures(double edge_mm, double mm_per_tick, std::uint32_t ticks_per_refresh) {
-  HdbSettings settings = boxOf(edge_mm);
+  HdbSettings settings = cubeSettings(edge_mm);
   settings.ticks_per_refresh = ticks_per_refresh;
   const HdbBody plate(zoo::grid(40, 100.0), settings);
   for (int phase = 0; phase < 20; ++phase) {
@@ -245,7 +245,7 @@ TEST(HdbFingerWeakness, AFingerFasterThanHalfAnEdgePerRefreshPunctures) {
 }
 
 TEST(HdbFingerWeakness, SlidingOutOfTheBoxLosesTheSkin) {
-  HdbSettings settings = boxOf(10.0);
+  HdbSettings settings = cubeSettings(10.0);
   settings.ticks_per_refresh = 33;  // 33 ms
   const HdbBody plate(zoo::grid(40, 100.0), settings);
   const auto lost = [&](double mm_per_tick) {
@@ -261,14 +261,15 @@ TEST(HdbFingerWeakness, SlidingOutOfTheBoxLosesTheSkin) {
 TEST(HdbSurface, RefusesWhatCannotWork) {
   const Surface plate = surfaceOf(zoo::grid());
   const auto message = [&](std::shared_ptr<const hdb::Partition> partition, const HdbSettings& settings) {
-    return support::messageOf([&] { makeHdbSurface(plate, std::move(partition), settings); });
+    return support::thrownMessage([&] { makeHdbSurface(plate, std::move(partition), settings); });
   };
-  const auto octree = partitionOf(zoo::grid());
-  EXPECT_EQ(message(octree, boxOf(10.0)), "no error");
-  EXPECT_EQ(message(nullptr, boxOf(10.0)), "hdb source: has no partition");
-  EXPECT_EQ(message(octree, boxOf(0.0)), "hdb source: the box needs edges above 0");
-  EXPECT_EQ(message(partitionOf(zoo::grid(2, 100.0)), boxOf(10.0)), "hdb source: the partition is not of this mesh");
-  HdbSettings literal = boxOf(10.0, HdbQuery::leaves);
+  const auto octree = buildTestPartition(zoo::grid());
+  EXPECT_EQ(message(octree, cubeSettings(10.0)), "no error");
+  EXPECT_EQ(message(nullptr, cubeSettings(10.0)), "hdb source: has no partition");
+  EXPECT_EQ(message(octree, cubeSettings(0.0)), "hdb source: the box needs edges above 0");
+  EXPECT_EQ(message(buildTestPartition(zoo::grid(2, 100.0)), cubeSettings(10.0)),
+            "hdb source: the partition is not of this mesh");
+  HdbSettings literal = cubeSettings(10.0, HdbQuery::leaves);
   literal.literal = hdb::LiteralTraversal::ElseIf;
   EXPECT_EQ(message(octree, literal), "hdb source: this traversal needs the planes of a BSP tree");
   literal.query = HdbQuery::coherent;

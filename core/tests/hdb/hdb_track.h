@@ -10,13 +10,13 @@ namespace palpate::hdb {
 
 using namespace contact;  // NOLINT(google-build-using-namespace): tests of a finger read as those of contact do
 
-inline std::shared_ptr<const hdb::Partition> partitionOf(const mesh::TriangleMesh& mesh,
-                                                         const hdb::BuildSettings& settings = {}) {
+inline std::shared_ptr<const hdb::Partition> buildTestPartition(const mesh::TriangleMesh& mesh,
+                                                                const hdb::BuildSettings& settings = {}) {
   return std::make_shared<const hdb::Partition>(hdb::buildPartition(mesh::repair(mesh).mesh, settings));
 }
 
 /// A box that holds any of the test's bodies.
-inline HdbSettings boxOf(double edge_mm, HdbQuery query = HdbQuery::triangles) {
+inline HdbSettings cubeSettings(double edge_mm, HdbQuery query = HdbQuery::triangles) {
   HdbSettings settings;
   settings.edges_mm = Vec3::Constant(edge_mm);
   settings.query = query;
@@ -25,9 +25,9 @@ inline HdbSettings boxOf(double edge_mm, HdbQuery query = HdbQuery::triangles) {
 
 /// A mesh with its surface and partition.
 struct HdbBody {
-  explicit HdbBody(const mesh::TriangleMesh& mesh, const HdbSettings& hdb = boxOf(1000.0),
+  explicit HdbBody(const mesh::TriangleMesh& mesh, const HdbSettings& hdb = cubeSettings(1000.0),
                    const hdb::BuildSettings& build = {})
-      : surface(surfaceOf(mesh)), hdb_surface(makeHdbSurface(surface, partitionOf(mesh, build), hdb)) {}
+      : surface(surfaceOf(mesh)), hdb_surface(makeHdbSurface(surface, buildTestPartition(mesh, build), hdb)) {}
   Surface surface;
   std::shared_ptr<const HdbSurface> hdb_surface;
 };

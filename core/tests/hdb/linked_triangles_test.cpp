@@ -101,7 +101,7 @@ TEST(LinkedTriangles, AllocateNothingWhileTheFingerSlides) {
 
 /// A finger that comes down on the back and slides with another list; its outputs.
 std::vector<FingerOutput> slideOver(const mesh::TriangleMesh& mesh, HdbQuery query, const hdb::BuildSettings& build) {
-  const HdbBody body(mesh, boxOf(60.0, query), build);
+  const HdbBody body(mesh, cubeSettings(60.0, query), build);
   HdbTrack finger(body);
   std::vector<FingerOutput> outputs;
   for (int step = 0; step < 1500; ++step) {

@@ -147,7 +147,7 @@ TEST(LiteralOctree, HandlesEveryMesh) {
     const LiteralOctree literal = buildLiteralOctree(specimen.mesh, {.threshold = 1});
     EXPECT_EQ(literal.partition.triangles.size() + literal.lost.size(), specimen.mesh.triangles.size());
     LeafHits hits;
-    findLeaves(literal.partition, test::boxOf(specimen.mesh), hits);
+    findLeaves(literal.partition, test::computeBox(specimen.mesh), hits);
     EXPECT_EQ(entriesIn(literal.partition, hits.leaves), literal.partition.triangles.size());
   }
 }

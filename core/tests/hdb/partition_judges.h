@@ -48,15 +48,15 @@ inline std::vector<zoo::Specimen> buildableZoo() {
   return zoo;
 }
 
-inline Box3 boxOf(const mesh::TriangleMesh& mesh, Index triangle) {
+inline Box3 computeBox(const mesh::TriangleMesh& mesh, Index triangle) {
   Box3 box;
   for (const Index v : mesh.triangles[triangle]) box.extend(mesh.positions[v]);
   return box;
 }
 
-inline Box3 boxOf(const mesh::TriangleMesh& mesh) {
+inline Box3 computeBox(const mesh::TriangleMesh& mesh) {
   Box3 box;
-  for (Index t = 0; t < mesh.triangles.size(); ++t) box.extend(boxOf(mesh, t));
+  for (Index t = 0; t < mesh.triangles.size(); ++t) box.extend(computeBox(mesh, t));
   return box;
 }
 
@@ -64,7 +64,7 @@ inline Box3 boxOf(const mesh::TriangleMesh& mesh) {
 inline std::set<Index> trianglesMeeting(const mesh::TriangleMesh& mesh, const Box3& box) {
   std::set<Index> found;
   for (Index t = 0; t < mesh.triangles.size(); ++t) {
-    const Box3 own = boxOf(mesh, t);
+    const Box3 own = computeBox(mesh, t);
     const bool apart = (own.min().array() > box.max().array()).any() || (own.max().array() < box.min().array()).any();
     if (!apart) found.insert(t);
   }
@@ -87,7 +87,7 @@ inline std::size_t missing(const std::set<Index>& must, const std::set<Index>& f
 /// A box somewhere in and around the model, from a hundredth of it to twice its size; every fourth one has a face
 /// exactly on a vertex.
 inline Box3 randomBox(Random& random, const mesh::TriangleMesh& mesh) {
-  const Box3 bounds = boxOf(mesh);
+  const Box3 bounds = computeBox(mesh);
   if (bounds.isEmpty()) return hapticBox(Vec3::Zero(), 1.0);
   const double longest = std::max(bounds.sizes().maxCoeff(), 1e-12);
   Vec3 centre;

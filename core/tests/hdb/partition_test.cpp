@@ -33,7 +33,7 @@ Piece cornersOf(const mesh::TriangleMesh& mesh, Index triangle) {
   return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
-int heightOf(const Partition& partition) {
+int treeHeight(const Partition& partition) {
   int height = 0;
   for (const Index leaf : partition.leaves) height = std::max<int>(height, partition.nodes[leaf].level);
   return height;
@@ -115,7 +115,7 @@ TEST(Partition, CutsWithoutLosingArea) {
         area[partition.triangles[e]] += areaOf(partition.pieces[e]);
       for (Index t = 0; t < specimen.mesh.triangles.size(); ++t) {
         const double expected = areaOf(cornersOf(specimen.mesh, t));
-        const double diagonal = test::boxOf(specimen.mesh, t).diagonal().norm();
+        const double diagonal = test::computeBox(specimen.mesh, t).diagonal().norm();
         ASSERT_NEAR(area[t], expected, 1e-11 * diagonal * diagonal + 1e-9 * expected) << "triangle " << t;
       }
     }
@@ -146,7 +146,7 @@ TEST(Partition, WithBothSidesALeafHoldsWhatReachesIntoItsCell) {
     const std::set<Index> in_leaf(stored.begin(), stored.end());
     const Box3& cell = partition.cells[leaf];
     for (Index t = 0; t < mesh.triangles.size(); ++t) {
-      const Box3 box = test::boxOf(mesh, t);
+      const Box3 box = test::computeBox(mesh, t);
       const bool overlaps =
           (box.min().array() < cell.max().array()).all() && (box.max().array() > cell.min().array()).all();
       if (overlaps) {
@@ -183,7 +183,7 @@ TEST(Partition, AgreesWithTheGoldenTrees) {
       SCOPED_TRACE(test::nameOf({.tree = tree, .threshold = threshold}));
       EXPECT_EQ(partition.tree_node_count, expected.at("nodes_nonempty").get<Index>());
       EXPECT_EQ(partition.leaves.size(), expected.at("leaves").get<std::size_t>());
-      EXPECT_EQ(heightOf(partition), expected.at("height").get<int>());
+      EXPECT_EQ(treeHeight(partition), expected.at("height").get<int>());
       EXPECT_EQ(partition.triangles.size(), expected.at("sum_leaf").get<std::size_t>());
       Index least = kNoIndex, most = 0;
       for (const Index leaf : partition.leaves) {

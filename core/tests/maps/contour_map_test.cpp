@@ -11,7 +11,7 @@
 
 namespace palpate::maps {
 
-using support::messageOf;
+using support::thrownMessage;
 
 std::vector<ContourPoint> raggedPoints(std::size_t number, std::size_t radii) {
   Random random(number);
@@ -93,8 +93,12 @@ TEST(ContourMap, ContoursOfEllipsesGiveNearlyTheEllipseMap) {
 TEST(ContourMap, RefusesWhatDoesNotFit) {
   auto points = raggedPoints(2, 8);
   points[1].contour = contourOf(std::vector<double>(9, 50.0));
-  EXPECT_EQ(messageOf([&] { PolarContourMap{points}; }), "contour map: every contour needs the same number of radii");
-  EXPECT_EQ(messageOf([] { PolarContourMap({}, {200.0, 0.0}); }), "contour map: the basic radius must be above 0 mm");
+  EXPECT_EQ(thrownMessage([&] { PolarContourMap{points}; }),
+            "contour map: every contour needs the same number of radii");
+  EXPECT_EQ(thrownMessage([] {
+              PolarContourMap({}, {200.0, 0.0});
+            }),
+            "contour map: the basic radius must be above 0 mm");
 }
 
 TEST(ContourPoints, AreReadWithTheirPlaceAndRadii) {
@@ -114,7 +118,7 @@ TEST(ContourPoints, HeaderIsOptionalAndEmptyIsFine) {
 }
 
 TEST(ContourPoints, MistakesAreNamedWithTheirLine) {
-  const auto error = [](std::string_view text) { return messageOf([&] { parseContourPoints(text, "t.csv"); }); };
+  const auto error = [](std::string_view text) { return thrownMessage([&] { parseContourPoints(text, "t.csv"); }); };
   support::expectEach(
       error,
       {{"A,1,2,3,4", "t.csv:1: expected name,x_mm,y_mm and 3 to 64 radii, found 5 fields"},

@@ -10,7 +10,7 @@
 namespace palpate::maps {
 
 std::string messageForTable(std::string_view table) {
-  return support::messageOf([&] { parseKeyPoints(table, "keys.csv"); });
+  return support::thrownMessage([&] { parseKeyPoints(table, "keys.csv"); });
 }
 
 TEST(KeyPoints, ReadsATableWithAndWithoutStiffness) {

@@ -10,7 +10,7 @@
 
 namespace palpate::maps {
 
-using support::messageOf;
+using support::thrownMessage;
 
 constexpr auto kGri = StiffnessInterpolation::gri;
 constexpr auto kThinPlate = StiffnessInterpolation::thin_plate;
@@ -85,7 +85,7 @@ TEST(ThinPlate, CoincidentPlacesAreAveraged) {
 TEST(ThinPlate, RefusesWhatDeterminesNoPlane) {
   const std::string line = "thin-plate spline: needs three key points that are not on one line";
   const auto error = [](const std::vector<Vec2>& places) {
-    return messageOf([&] { ThinPlateSpline(places, std::vector<double>(places.size(), 1.0)); });
+    return thrownMessage([&] { ThinPlateSpline(places, std::vector<double>(places.size(), 1.0)); });
   };
   EXPECT_EQ(error({}), line);
   EXPECT_EQ(error({{0, 0}}), line);
@@ -121,7 +121,7 @@ TEST(Polynomial, IsTheLeastSquaresFit) {
 
 TEST(Polynomial, TooFewPlacesOrTooRegularOnesAreRefused) {
   const auto error = [](const std::vector<Vec2>& places, std::size_t degree) {
-    return messageOf([&] { PolynomialSurface(places, std::vector<double>(places.size(), 1.0), degree); });
+    return thrownMessage([&] { PolynomialSurface(places, std::vector<double>(places.size(), 1.0), degree); });
   };
   EXPECT_EQ(error(scattered(7), 3), "polynomial of degree 3: needs 10 key points, there are 7");
   EXPECT_EQ(error({{0, 0}, {1, 1}, {2, 2}}, 1),
@@ -218,9 +218,9 @@ TEST(MeasuredStiffness, ZeroEverywhereStillPushesBackALittle) {
 }
 
 TEST(MeasuredStiffness, TooFewKeysAreAnError) {
-  EXPECT_EQ(messageOf([] { MeasuredStiffnessField({}, by(kPolynomial, 1)); }),
+  EXPECT_EQ(thrownMessage([] { MeasuredStiffnessField({}, by(kPolynomial, 1)); }),
             "polynomial of degree 1: needs 3 key points, there are 0");
-  EXPECT_EQ(messageOf([] { MeasuredStiffnessField({}, by(kThinPlate)); }),
+  EXPECT_EQ(thrownMessage([] { MeasuredStiffnessField({}, by(kThinPlate)); }),
             "thin-plate spline: needs three key points that are not on one line");
 }
 

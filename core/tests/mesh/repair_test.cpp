@@ -70,7 +70,7 @@ void expectFit(const RepairResult& result, const std::string& name) {
   EXPECT_EQ(report.components, result.components) << name;
 }
 
-std::size_t countOf(const RepairResult& result, const std::string& words) {
+std::size_t actionCount(const RepairResult& result, const std::string& words) {
   for (const auto& action : result.actions) {
     if (action.what.find(words) != std::string::npos) return action.count;
   }
@@ -124,13 +124,13 @@ TEST(Repair, ThrowsWhenNothingIsLeftToFeel) {
 
 TEST(Repair, CubesSharingAnEdgeAreJoinedOnTheirFrontSides) {
   const auto result = repair(zoo::cubesSharingAnEdge());
-  EXPECT_EQ(countOf(result, "more than two triangles"), 1u);
+  EXPECT_EQ(actionCount(result, "more than two triangles"), 1u);
   // The empty sectors lie between the cubes, so the surface leads from one cube to the other through the edge, twice.
   EXPECT_EQ(result.components, 1u);
   EXPECT_TRUE(result.closed);
   EXPECT_NEAR(signedVolume(result.mesh), 2000.0, 1e-9);
   // Both ways use the same two vertices: one of them gets a middle, which cuts its two triangles.
-  EXPECT_EQ(countOf(result, "split in the middle"), 1u);
+  EXPECT_EQ(actionCount(result, "split in the middle"), 1u);
   EXPECT_EQ(result.mesh.triangles.size(), 26u);
   EXPECT_EQ(result.mesh.positions.back(), Vec3(10, 10, 5));
 }
@@ -141,7 +141,7 @@ TEST(Repair, CubesSharingAnEdgeAreJoinedWhereverTheyLieAndHoweverManyThereAre) {
   for (Vec3& place : far.positions) place += Vec3(700, -300, 900);
   append(far, both);
   const auto result = repair(both);
-  EXPECT_EQ(countOf(result, "split in the middle"), 2u);
+  EXPECT_EQ(actionCount(result, "split in the middle"), 2u);
   EXPECT_EQ(result.components, 2u);
   EXPECT_TRUE(result.closed);
   EXPECT_NEAR(signedVolume(result.mesh), 4000.0, 1e-6);
@@ -158,14 +158,14 @@ TEST(Repair, CubesSharingAVertexGetOneEach) {
 TEST(Repair, AMoebiusStripIsCutOpenAlongASeam) {
   const auto result = repair(zoo::moebius());
   EXPECT_EQ(result.components, 1u);
-  EXPECT_GE(countOf(result, "seam"), 1u);
+  EXPECT_GE(actionCount(result, "seam"), 1u);
   EXPECT_EQ(result.mesh.triangles.size(), zoo::moebius().triangles.size());
 }
 
 TEST(Repair, FlatSliversAreSewnWithoutASlit) {
   const auto result = repair(zoo::cubeWithCap());
   EXPECT_TRUE(result.closed);
-  EXPECT_EQ(countOf(result, "sewn"), 1u);
+  EXPECT_EQ(actionCount(result, "sewn"), 1u);
   EXPECT_EQ(result.mesh.triangles.size(), 14u);
   const auto folded = repair(zoo::plateWithFoldedSliver());
   EXPECT_EQ(validate(folded.mesh).border_edges.count, 4u);
@@ -178,13 +178,13 @@ TEST(Repair, FlatSliversAreSewnWithoutASlit) {
 TEST(Repair, NeedlesCollapseWithoutASlit) {
   const auto result = repair(zoo::cubeWithNeedles(), {.weld = false});
   EXPECT_TRUE(result.closed);
-  EXPECT_EQ(countOf(result, "collapsed"), 2u);
+  EXPECT_EQ(actionCount(result, "collapsed"), 2u);
   EXPECT_EQ(result.mesh.positions.size(), 8u);
 }
 
 TEST(Repair, FinsGoAndTheBodyStays) {
   const auto result = repair(zoo::cubeWithFin());
-  EXPECT_EQ(countOf(result, "fins"), 2u);
+  EXPECT_EQ(actionCount(result, "fins"), 2u);
   EXPECT_EQ(result.mesh.triangles.size(), 12u);
   EXPECT_TRUE(result.closed);
 }
@@ -192,7 +192,7 @@ TEST(Repair, FinsGoAndTheBodyStays) {
 TEST(Repair, ASheetGivenFromBothSidesKeepsOne) {
   const auto result = repair(zoo::doubleSidedGrid(4));
   EXPECT_EQ(result.mesh.triangles.size(), 32u);
-  EXPECT_EQ(countOf(result, "one side kept"), 32u);
+  EXPECT_EQ(actionCount(result, "one side kept"), 32u);
 }
 
 TEST(Repair, APatchGivenFromBothSidesStillFillsItsHole) {
@@ -208,16 +208,16 @@ TEST(Repair, APatchGivenFromBothSidesStillFillsItsHole) {
 
 TEST(Repair, DuplicatesGo) {
   const auto result = repair(zoo::cubeWithDuplicates());
-  EXPECT_EQ(countOf(result, "duplicate"), 3u);
+  EXPECT_EQ(actionCount(result, "duplicate"), 3u);
   EXPECT_TRUE(result.closed);
 }
 
 TEST(Repair, WindingFollowsTheMajorityAndClosedPartsFaceOutwards) {
   const auto mixed = repair(zoo::mixedWinding());
-  EXPECT_GT(countOf(mixed, "flipped"), 100u);
+  EXPECT_GT(actionCount(mixed, "flipped"), 100u);
   EXPECT_GT(signedVolume(mixed.mesh), 0.0);
   const auto inside_out = repair(zoo::insideOut());
-  EXPECT_EQ(countOf(inside_out, "outside out"), 1u);
+  EXPECT_EQ(actionCount(inside_out, "outside out"), 1u);
   EXPECT_GT(signedVolume(inside_out.mesh), 0.0);
 }
 
@@ -231,7 +231,7 @@ TriangleMesh insideOutBowl(double height) {
 
 TEST(Repair, OpenBodiesFaceOutwardsToo) {
   const auto result = repair(insideOutBowl(14.0));
-  EXPECT_EQ(countOf(result, "open parts turned outside out"), 1u);
+  EXPECT_EQ(actionCount(result, "open parts turned outside out"), 1u);
   EXPECT_FALSE(result.closed);
   EXPECT_GT(signedVolume(result.mesh), 0.0);
   EXPECT_TRUE(result.warnings.empty());
@@ -242,14 +242,14 @@ TEST(Repair, OpenBodiesFaceOutwardsToo) {
 
 TEST(Repair, ABowlThatMayBeInsideOutIsReportedAndASheetIsNot) {
   const auto bowl = repair(insideOutBowl(0.0));
-  EXPECT_EQ(countOf(bowl, "turned outside out"), 0u);
+  EXPECT_EQ(actionCount(bowl, "turned outside out"), 0u);
   ASSERT_EQ(bowl.warnings.size(), 1u);
   EXPECT_NE(bowl.warnings[0].find("may be inside out"), std::string::npos);
   EXPECT_EQ(validate(insideOutBowl(0.0)).doubtful_parts.count, 1u);
   TriangleMesh sheet = zoo::wavyGrid(20, 100.0, 12.0);
   for (int side = 0; side < 2; ++side) {
     const auto result = repair(sheet);
-    EXPECT_EQ(countOf(result, "turned outside out"), 0u);
+    EXPECT_EQ(actionCount(result, "turned outside out"), 0u);
     EXPECT_TRUE(result.warnings.empty());
     for (Triangle& t : sheet.triangles) std::swap(t[1], t[2]);
   }
@@ -257,16 +257,16 @@ TEST(Repair, ABowlThatMayBeInsideOutIsReportedAndASheetIsNot) {
 
 TEST(Repair, WhatMayBeInsideOutIsTurnedWhereThatIsAsked) {
   const auto bowl = repair(insideOutBowl(0.0), {.turn_over = TurnOver::doubtful});
-  EXPECT_EQ(countOf(bowl, "turned over as asked"), 1u);
+  EXPECT_EQ(actionCount(bowl, "turned over as asked"), 1u);
   EXPECT_TRUE(bowl.warnings.empty());
   EXPECT_EQ(validate(bowl.mesh).doubtful_parts.count, 0u);
-  EXPECT_EQ(countOf(repair(bowl.mesh, {.turn_over = TurnOver::doubtful}), "turned over as asked"), 0u)
+  EXPECT_EQ(actionCount(repair(bowl.mesh, {.turn_over = TurnOver::doubtful}), "turned over as asked"), 0u)
       << "once is enough";
   const TriangleMesh sheet = zoo::wavyGrid(20, 100.0, 12.0);
-  EXPECT_EQ(countOf(repair(sheet, {.turn_over = TurnOver::doubtful}), "turned over as asked"), 0u)
+  EXPECT_EQ(actionCount(repair(sheet, {.turn_over = TurnOver::doubtful}), "turned over as asked"), 0u)
       << "a sheet is as given";
   const auto turned = repair(sheet, {.turn_over = TurnOver::open});
-  ASSERT_EQ(countOf(turned, "turned over as asked"), 1u);
+  ASSERT_EQ(actionCount(turned, "turned over as asked"), 1u);
   for (std::size_t t = 0; t < sheet.triangles.size(); ++t) {
     EXPECT_LT(areaVector2(turned.mesh.positions[turned.mesh.triangles[t][0]],
                           turned.mesh.positions[turned.mesh.triangles[t][1]],
@@ -294,7 +294,7 @@ TEST(Repair, APartAmongOthersThatIsInsideOutIsTold) {
 TEST(Repair, TheOpenWallOfAHollowKeepsFacingIn) {
   TriangleMesh mesh = zoo::sphere(40.0, 3);
   append(insideOutBowl(14.0), mesh);
-  EXPECT_EQ(countOf(repair(mesh), "turned outside out"), 0u);
+  EXPECT_EQ(actionCount(repair(mesh), "turned outside out"), 0u);
 }
 
 /// Two cubes of 10 mm beside each other, `gap_mm` apart.

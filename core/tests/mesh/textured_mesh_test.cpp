@@ -15,7 +15,7 @@
 namespace palpate::mesh {
 namespace {
 
-using support::messageOf;
+using support::thrownMessage;
 
 /// Files of textured meshes, each under its own name.
 class TexturedFile : public testing::Test {
@@ -176,12 +176,12 @@ TEST_F(TexturedFile, OfGltfMayHaveItsPictureInTheTextOrBeside) {
   EXPECT_EQ(basePictureOf(with("data:image/png;base64," + support::base64("bytes"))), "bytes");
   write("skin.png", "beside");
   EXPECT_EQ(basePictureOf(with("skin.png")), "beside");
-  EXPECT_NE(messageOf([&] { basePictureOf(with("../skin.png")); }).find("same folder"), std::string::npos);
+  EXPECT_NE(thrownMessage([&] { basePictureOf(with("../skin.png")); }).find("same folder"), std::string::npos);
 }
 
 TEST_F(TexturedFile, OfGltfSaysWhatIsWrong) {
   const auto refusal = [&](const std::string& more) {
-    return messageOf([&] { basePictureOf(write("x.glb", gltfTriangle(R"(,"material":0)", more))); });
+    return thrownMessage([&] { basePictureOf(write("x.glb", gltfTriangle(R"(,"material":0)", more))); });
   };
   EXPECT_NE(refusal("").find("material"), std::string::npos);
   EXPECT_NE(refusal(kMaterial).find("image"), std::string::npos);

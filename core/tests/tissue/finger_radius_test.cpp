@@ -124,7 +124,7 @@ TEST(FingerRadius, APointIsFeltAsTheFingertipUnlessTheLawSaysOtherwise) {
   law.layers.knows_radius = false;
   EXPECT_EQ(normalForce(law, 0.5, 5.0, {27.0, 16.0}), normalForce(law, 0.5, 5.0, 27.0));
   law.layers.point_mm = 0.0;
-  EXPECT_NE(support::messageOf([&] { check(law); }).find("radius of a point"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { check(law); }).find("radius of a point"), std::string::npos);
 }
 
 TEST(FingerRadius, NoFingersForceFallsAndNoneRisesSteeperThanTheLawSays) {
@@ -184,7 +184,7 @@ TEST(FingerRadius, ATableIsReadAsItWasWrittenAndAFaultInItNamed) {
   EXPECT_EQ(back.fingers[0].force_n, table.fingers[0].force_n);
   const auto fault = [&](std::vector<FingerForces> fingers) {
     table.fingers = std::move(fingers);
-    return support::messageOf([&] { check(table); });
+    return support::thrownMessage([&] { check(table); });
   };
   EXPECT_EQ(fault({{8.0, {2.0}, {0.2}}}), "finger 1: radius_mm must differ from indenter_radius_mm, 8");
   EXPECT_EQ(fault({{4.0, {2.0}, {0.2}}, {2.0, {2.0}, {0.2}}}), "finger 2: radius_mm must increase, but 2 follows 4");

@@ -221,7 +221,7 @@ TEST(ForceLaw, FitsLayeredTissueWhereHookeDoesNot) {
 }
 
 TEST(ForceLaw, RefusesParametersThatMakeNoSense) {
-  const auto message = [](const ForceLaw& law) { return support::messageOf([&] { check(law); }); };
+  const auto message = [](const ForceLaw& law) { return support::thrownMessage([&] { check(law); }); };
   for (const auto& [name, law] : laws()) EXPECT_EQ(message(law), "no error") << name;
   EXPECT_EQ(message(powerLaw(0.5, 8.0)), "force law: exponent must be 1 to 3");
   EXPECT_EQ(message(powerLaw(1.6, 0.0)), "force law: reference_depth_mm must be above 0 and at most 1000");

@@ -12,7 +12,7 @@ namespace palpate::tissue {
 namespace {
 
 std::string messageFor(const std::string& text) {
-  return support::messageOf([&] { parseForceTable(text, "f.csv"); });
+  return support::thrownMessage([&] { parseForceTable(text, "f.csv"); });
 }
 
 TEST(ForceTable, ReadsRowsAfterAHeader) {
@@ -28,7 +28,7 @@ TEST(ForceTable, IsReadFromAFile) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "f.csv") << "5,4\n";
   EXPECT_EQ(readForceTable(folder / "f.csv").rows, 1u);
-  EXPECT_NE(support::messageOf([&] { readForceTable(folder / "none.csv"); }), "no error");
+  EXPECT_NE(support::thrownMessage([&] { readForceTable(folder / "none.csv"); }), "no error");
 }
 
 TEST(ForceTable, NamesTheLineThatIsWrong) {

@@ -28,8 +28,8 @@ LayeredTable smallTable() {
   return table;
 }
 
-std::string faultOf(const LayeredTable& table) {
-  return support::messageOf([&] { check(table); });
+std::string errorMessage(const LayeredTable& table) {
+  return support::thrownMessage([&] { check(table); });
 }
 
 /// What is said of the small table after this change.
@@ -37,11 +37,11 @@ template <class Change>
 std::string faultAfter(const Change& change) {
   LayeredTable table = smallTable();
   change(table);
-  return faultOf(table);
+  return errorMessage(table);
 }
 
 std::string faultOfText(const std::string& json) {
-  return support::messageOf([&] { parseLayeredTable(json, "t.json"); });
+  return support::thrownMessage([&] { parseLayeredTable(json, "t.json"); });
 }
 
 /// The text of the small table with a piece of it exchanged.
@@ -57,7 +57,7 @@ TEST(LayerStack, IsAsThickAsItsLayers) { EXPECT_EQ(totalThickness(smallTable().s
 TEST(LayerStack, NamesTheLayerAndTheNumberThatMakeNoSense) {
   const auto fault = [](Layer layer, double poisson = 0.48) {
     const LayerStack stack{.layers = {{"skin", 2.0, 150.0}, layer}, .poisson = poisson};
-    return support::messageOf([&] { check(stack); });
+    return support::thrownMessage([&] { check(stack); });
   };
   EXPECT_EQ(fault({"fat", 8.0, 10.0}), "no error");
   EXPECT_EQ(fault({"fat", 0.05, 10.0}), "layer 2: thickness = 0.05 is out of range: 0.1 to 500 mm");
@@ -66,11 +66,11 @@ TEST(LayerStack, NamesTheLayerAndTheNumberThatMakeNoSense) {
   EXPECT_EQ(fault({"fat", 8.0, 10.0}, 0.5), "stack: Poisson's ratio = 0.5 is out of range: 0 to 0.499");
   EXPECT_NE(fault({"f\"at", 8.0, 10.0}).find("layer 2: 'f\"at' is not a name"), std::string::npos);
   EXPECT_NE(fault({std::string(41, 'a'), 8.0, 10.0}).find("is not a name"), std::string::npos);
-  EXPECT_EQ(support::messageOf([] { check(LayerStack{}); }), "stack: at least one layer is needed");
+  EXPECT_EQ(support::thrownMessage([] { check(LayerStack{}); }), "stack: at least one layer is needed");
   LayerStack many{.layers = std::vector<Layer>(17, Layer{"fat", 8.0, 10.0})};
-  EXPECT_EQ(support::messageOf([&] { check(many); }), "stack: more than 16 layers");
+  EXPECT_EQ(support::thrownMessage([&] { check(many); }), "stack: more than 16 layers");
   many.layers.pop_back();
-  EXPECT_EQ(support::messageOf([&] { check(many); }), "no error");
+  EXPECT_EQ(support::thrownMessage([&] { check(many); }), "no error");
 }
 
 TEST(ParseLayer, ReadsNameThicknessAndModulus) {
@@ -90,17 +90,17 @@ TEST(ParseLayer, ReadsNameThicknessAndModulus) {
 TEST(ParseLayer, SaysTheForm) {
   for (const char* text : {"", "skin", "skin:2mm", "skin:2mm:150kPa:9", "skin:2mm:150mm", "skin:2kPa:150kPa",
                            "skin::150kPa", "skin:2mm:", "skin:two:150", ":::", "skin:2 3mm:150kPa"}) {
-    EXPECT_EQ(support::messageOf([&] { parseLayer(text); }),
+    EXPECT_EQ(support::thrownMessage([&] { parseLayer(text); }),
               std::string("layer '") + text + "': a layer is NAME:THICKNESS:MODULUS, such as skin:2mm:150kPa");
   }
-  EXPECT_EQ(support::messageOf([] { parseLayer("skin:900mm:150"); }),
+  EXPECT_EQ(support::thrownMessage([] { parseLayer("skin:900mm:150"); }),
             "layer 'skin:900mm:150': thickness = 900 is out of range: 0.1 to 500 mm");
-  EXPECT_EQ(support::messageOf([] { parseLayer("skin:2:nan"); }),
+  EXPECT_EQ(support::thrownMessage([] { parseLayer("skin:2:nan"); }),
             "layer 'skin:2:nan': Young's modulus = nan is out of range: 0.01 to 1,000,000 kPa");
 }
 
 TEST(LayeredTable, NamesWhatMakesNoSense) {
-  EXPECT_EQ(faultOf(smallTable()), "no error");
+  EXPECT_EQ(errorMessage(smallTable()), "no error");
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(faultAfter([](auto& t) { t.radii_mm = {0.0}; }), "radii_mm: at least two are needed");
   EXPECT_EQ(faultAfter([](auto& t) { t.radii_mm[0] = 0.5; }), "radii_mm: the first must be 0, not 0.5");
@@ -172,10 +172,11 @@ TEST(LayeredTable, IsWrittenAndReadAsAFile) {
   EXPECT_EQ(layeredTableText(readLayeredTable(folder / "t.json")), layeredTableText(smallTable()));
   LayeredTable broken = smallTable();
   broken.shapes.clear();
-  EXPECT_EQ(support::messageOf([&] { writeLayeredTable(folder / "none.json", broken); }),
+  EXPECT_EQ(support::thrownMessage([&] { writeLayeredTable(folder / "none.json", broken); }),
             "shapes: at least one is needed");
   EXPECT_FALSE(std::filesystem::exists(folder / "none.json"));
-  EXPECT_NE(support::messageOf([&] { readLayeredTable(folder / "none.json"); }).find("none.json"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { readLayeredTable(folder / "none.json"); }).find("none.json"),
+            std::string::npos);
 }
 
 TEST(LayeredTable, NamesFileAndKeyOfWhatItCannotRead) {

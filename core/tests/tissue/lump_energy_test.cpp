@@ -27,8 +27,8 @@ LumpEnergy energyOf(const LumpShape& lump, double thickness_mm = 40.0, std::vect
   return LumpEnergy(lump, placeStack(thickness_mm, 8.0), libraryFieldsAt(thickness_mm, 8.0), correction);
 }
 
-std::string faultOf(const LumpShape& lump, const LayerStack& stack = placeStack(40.0, 8.0)) {
-  return support::messageOf([&] { check(lump, stack); });
+std::string errorMessage(const LumpShape& lump, const LayerStack& stack = placeStack(40.0, 8.0)) {
+  return support::thrownMessage([&] { check(lump, stack); });
 }
 
 TEST(LumpEnergy, ForcesAreTheSlopesOfTheEnergy) {
@@ -177,7 +177,7 @@ TEST(LumpEnergy, BlendsNeighbouringStacks) {
   EXPECT_GT(std::max(thin, thick) + 0.002, middle);
   double shares = 0.0;
   for (const WeightedField& one : libraryFieldsAt(34.0, 5.0)) {
-    EXPECT_EQ(support::messageOf([&] { check(*one.field, *one.stack); }), "no error");
+    EXPECT_EQ(support::thrownMessage([&] { check(*one.field, *one.stack); }), "no error");
     shares += one.share;
   }
   EXPECT_NEAR(shares, 1.0, 1e-12);
@@ -247,23 +247,25 @@ TEST(LumpEnergy, OfALumpWhoseMiddlePassesABorderDoesNotJump) {
 }
 
 TEST(LumpShape, IsRefusedWhereItCannotBe) {
-  EXPECT_EQ(faultOf(ball(10.0, 8.0, 5.0)), "no error");
+  EXPECT_EQ(errorMessage(ball(10.0, 8.0, 5.0)), "no error");
   EXPECT_EQ(
-      faultOf(ball(10.0, 2.0, 5.0)),
+      errorMessage(ball(10.0, 2.0, 5.0)),
       "lump: depth_mm = 2 is out of range: the top lies at least 0.5 mm under the skin's layer, here 2.5 to 29.0 mm");
-  EXPECT_EQ(faultOf(ball(10.0, 30.0, 5.0)), "lump: reaches the bone: its bottom is 40.0 mm deep, the bone 40.0 mm");
-  EXPECT_EQ(faultOf(ball(10.0, 8.0, 0.1)), "lump: stiffness_ratio = 0.1 is out of range: 0.2 to 1,000");
+  EXPECT_EQ(errorMessage(ball(10.0, 30.0, 5.0)),
+            "lump: reaches the bone: its bottom is 40.0 mm deep, the bone 40.0 mm");
+  EXPECT_EQ(errorMessage(ball(10.0, 8.0, 0.1)), "lump: stiffness_ratio = 0.1 is out of range: 0.2 to 1,000");
   LumpShape lump = ball(10.0, 8.0, 5.0);
   lump.young_kpa = 1.0;
-  EXPECT_EQ(faultOf(lump), "lump: young_kpa = 1 is out of range: at least 0.2 times the layer's, here 5.4 kPa");
+  EXPECT_EQ(errorMessage(lump), "lump: young_kpa = 1 is out of range: at least 0.2 times the layer's, here 5.4 kPa");
   lump = ball(10.0, 8.0, 5.0);
   lump.half_axes_mm[1] = 4.0;
-  EXPECT_NE(faultOf(lump).find("first two half axes must be equal"), std::string::npos);
+  EXPECT_NE(errorMessage(lump).find("first two half axes must be equal"), std::string::npos);
   lump.half_axes_mm[1] = std::nan("");
-  EXPECT_NE(faultOf(lump).find("half axis = nan is out of range"), std::string::npos);
-  EXPECT_NE(faultOf(ball(10.0, std::nan(""), 5.0)).find("depth_mm = nan"), std::string::npos);
-  EXPECT_NE(faultOf(ball(10.0, 8.0, 5.0), {{{"muscle", 40.0, 27.0}}, 0.48}).find("needs a skin"), std::string::npos);
-  EXPECT_EQ(support::messageOf([] { LumpEnergy(ball(10.0, 8.0, 5.0), placeStack(40.0, 8.0), {}); }),
+  EXPECT_NE(errorMessage(lump).find("half axis = nan is out of range"), std::string::npos);
+  EXPECT_NE(errorMessage(ball(10.0, std::nan(""), 5.0)).find("depth_mm = nan"), std::string::npos);
+  EXPECT_NE(errorMessage(ball(10.0, 8.0, 5.0), {{{"muscle", 40.0, 27.0}}, 0.48}).find("needs a skin"),
+            std::string::npos);
+  EXPECT_EQ(support::thrownMessage([] { LumpEnergy(ball(10.0, 8.0, 5.0), placeStack(40.0, 8.0), {}); }),
             "lump: no field of a press is given");
 }
 

@@ -43,7 +43,7 @@ template <class Change>
 std::string fieldFaultAfter(const Change& change) {
   PressField field = smallField();
   change(field);
-  return support::messageOf([&] { check(field, tableWithField().stack); });
+  return support::thrownMessage([&] { check(field, tableWithField().stack); });
 }
 
 TEST(PressField, IsWrittenAndReadWithEveryDigit) {
@@ -89,7 +89,7 @@ TEST(PressField, NamesThePlaceOfAFaultInAFile) {
     const std::size_t at = changed.find(before);
     EXPECT_NE(at, std::string::npos) << before;
     changed.replace(at, before.size(), after);
-    return support::messageOf([&] { parseLayeredTable(changed, "t.json"); });
+    return support::thrownMessage([&] { parseLayeredTable(changed, "t.json"); });
   };
   EXPECT_NE(fault("\"row_layers\": [0", "\"row_layers\": [0.5").find("whole numbers"), std::string::npos);
   EXPECT_NE(fault("\"shear\": [", "\"shear\": [\"a\", ").find("must be a list of numbers"), std::string::npos);

@@ -47,8 +47,8 @@ TEST(PressedNumbers, LieBetweenTheStoredDepths) {
 }
 
 TEST(PressedNumbers, NameAStackByItsSheets) {
-  EXPECT_EQ(stackWords(dent().stack), "2 x 150 + 8 x 10.5");
-  EXPECT_EQ(stackWords(LayerStack{}), "layers unknown");
+  EXPECT_EQ(formatStack(dent().stack), "2 x 150 + 8 x 10.5");
+  EXPECT_EQ(formatStack(LayerStack{}), "layers unknown");
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ TEST(Published, DefaultsLieWithinTheSpreadAndAreWhatWasSolved) {
     EXPECT_GE(chosen, low) << layer.name;
     EXPECT_LE(chosen, high) << layer.name;
   }
-  EXPECT_EQ(support::messageOf([] { defaultModulus("mucsle"); }), "unknown tissue 'mucsle'; did you mean 'muscle'?");
+  EXPECT_EQ(support::thrownMessage([] { defaultModulus("mucsle"); }),
+            "unknown tissue 'mucsle'; did you mean 'muscle'?");
 }
 
 TEST(Published, FrictionOfThePresetsIsWithinWhatWasMeasured) {

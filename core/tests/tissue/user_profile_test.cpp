@@ -11,7 +11,7 @@
 namespace palpate::tissue {
 
 std::string messageForKnots(const std::string& text) {
-  return support::messageOf([&] { parseProfileKnots(text, "p.csv"); });
+  return support::thrownMessage([&] { parseProfileKnots(text, "p.csv"); });
 }
 
 TEST(UserProfile, ReadsRowsWithHeaderAndComments) {
@@ -44,7 +44,7 @@ TEST(UserProfile, ReadsAFile) {
   EXPECT_THROW(readProfileKnots(folder.path() / "none.csv"), Error);
 }
 
-ProfileCurve curveOf(std::vector<ProfileKnot> knots, UserInterpolation interpolation) {
+ProfileCurve makeCurve(std::vector<ProfileKnot> knots, UserInterpolation interpolation) {
   ProfileSettings settings;
   settings.kind = ProfileKind::user;
   settings.knots = std::move(knots);
@@ -56,25 +56,25 @@ const std::vector<ProfileKnot> kUneven{{0, 1}, {0.1, 0.98}, {0.15, 0.6}, {0.6, 0
 
 TEST(UserProfile, PassesThroughItsRows) {
   for (const auto interpolation : {UserInterpolation::monotone_cubic, UserInterpolation::linear}) {
-    const ProfileCurve curve = curveOf(kUneven, interpolation);
+    const ProfileCurve curve = makeCurve(kUneven, interpolation);
     for (const ProfileKnot& knot : kUneven) EXPECT_NEAR(curve.at(knot.q).value, knot.value, 1e-12);
   }
 }
 
 TEST(UserProfile, CubicIsLevelWhereItsRowsTurn) {
-  const ProfileCurve curve = curveOf({{0, 1}, {0.3, 0.2}, {0.6, 0.5}, {1, 0}}, UserInterpolation::monotone_cubic);
+  const ProfileCurve curve = makeCurve({{0, 1}, {0.3, 0.2}, {0.6, 0.5}, {1, 0}}, UserInterpolation::monotone_cubic);
   EXPECT_NEAR(curve.at(0.3).slope, 0.0, 1e-12);
   EXPECT_NEAR(curve.at(0.6).slope, 0.0, 1e-12);
 }
 
 TEST(UserProfile, LinearIsStraightBetweenRows) {
-  const ProfileCurve curve = curveOf(kUneven, UserInterpolation::linear);
+  const ProfileCurve curve = makeCurve(kUneven, UserInterpolation::linear);
   EXPECT_NEAR(curve.at(0.75).value, 0.28, 1e-12);
   EXPECT_NEAR(curve.at(0.75).slope, -1.8, 1e-12);
 }
 
 TEST(UserProfile, CubicNeverOvershoots) {
-  const ProfileCurve curve = curveOf(kUneven, UserInterpolation::monotone_cubic);
+  const ProfileCurve curve = makeCurve(kUneven, UserInterpolation::monotone_cubic);
   double before = 1.0;
   for (double q = 0.0; q < 1.0; q += 0.0005) {
     EXPECT_LE(curve.at(q).value, before + 1e-15) << q;
@@ -83,14 +83,14 @@ TEST(UserProfile, CubicNeverOvershoots) {
 }
 
 TEST(UserProfile, CubicHasNoKinks) {
-  const ProfileCurve curve = curveOf(kUneven, UserInterpolation::monotone_cubic);
+  const ProfileCurve curve = makeCurve(kUneven, UserInterpolation::monotone_cubic);
   for (std::size_t i = 1; i + 1 < kUneven.size(); ++i) {
     EXPECT_NEAR(curve.at(kUneven[i].q - 1e-9).slope, curve.at(kUneven[i].q + 1e-9).slope, 1e-5);
   }
 }
 
 TEST(UserProfile, TwoRowsAreASmoothStep) {
-  const ProfileCurve curve = curveOf({{0, 1}, {1, 0}}, UserInterpolation::monotone_cubic);
+  const ProfileCurve curve = makeCurve({{0, 1}, {1, 0}}, UserInterpolation::monotone_cubic);
   for (double q = 0.0; q < 1.0; q += 0.1) EXPECT_NEAR(curve.at(q).value, 1.0 - q * q * (3.0 - 2.0 * q), 1e-14);
 }
 

@@ -28,7 +28,7 @@ const CredibilityFile& quickFile() {
   return file;
 }
 
-nlohmann::json readBack() { return nlohmann::json::parse(jsonOf(quickFile())); }
+nlohmann::json readBack() { return nlohmann::json::parse(toJson(quickFile())); }
 
 /// The value of one number in the JSON text.
 double valueIn(const nlohmann::json& file, const std::string& section, const std::string& evidence,
@@ -69,8 +69,8 @@ TEST(Credibility, EveryBarHoldsAndJsonHasTheSameNumbers) {
 TEST(Credibility, CountsArePrintedNumbersOfTheStudyOfNumbers) {
   const std::vector<NumberRow> rows = studyNumbers();
   const nlohmann::json json = readBack();
-  EXPECT_EQ(valueIn(json, "code_verification", "numbers", "from_engine"), countOf(rows, Verdict::from_engine));
-  EXPECT_EQ(valueIn(json, "code_verification", "numbers", "misprints"), countOf(rows, Verdict::misprint));
+  EXPECT_EQ(valueIn(json, "code_verification", "numbers", "from_engine"), countRows(rows, Verdict::from_engine));
+  EXPECT_EQ(valueIn(json, "code_verification", "numbers", "misprints"), countRows(rows, Verdict::misprint));
   EXPECT_EQ(valueIn(json, "code_verification", "numbers", "not_reproduced"), 0.0);
 }
 
@@ -127,13 +127,13 @@ TEST(Credibility, AForceThatIsWrongBreaksItsBar) {
   const auto evidence = std::ranges::find(section.evidence, "fem_profiles", &Evidence::name);
   ASSERT_NE(evidence, section.evidence.end());
   EXPECT_NEAR(evidence->number("force_mean_percent"), 100.0 * (1.0 - 1.0 / 1.2), 1.0);
-  EXPECT_NE(findingOf(*evidence).find("BEYOND a bar"), std::string::npos);
+  EXPECT_NE(formatFinding(*evidence).find("BEYOND a bar"), std::string::npos);
 
   CredibilityFile file = quickFile();
   file.sections.at(2) = section;
-  EXPECT_FALSE(nlohmann::json::parse(jsonOf(file)).at("holds").get<bool>());
+  EXPECT_FALSE(nlohmann::json::parse(toJson(file)).at("holds").get<bool>());
   EXPECT_NE(textOf(file).find("a bar is BROKEN"), std::string::npos);
-  EXPECT_NE(htmlOf(file).find("A bar is BROKEN"), std::string::npos);
+  EXPECT_NE(toHtml(file).find("A bar is BROKEN"), std::string::npos);
 }
 
 TEST(Credibility, AKeptBitThatIsOtherwiseIsSeen) {
@@ -145,7 +145,7 @@ TEST(Credibility, AKeptBitThatIsOtherwiseIsSeen) {
   const CredibilitySection section = verifyCode(settings);
   EXPECT_FALSE(section.holds());
   EXPECT_EQ(section.evidence.at(1).number("scenes_differ"), 1.0);
-  EXPECT_NE(findingOf(section.evidence.at(1)).find("DIFFER from what was kept"), std::string::npos);
+  EXPECT_NE(formatFinding(section.evidence.at(1)).find("DIFFER from what was kept"), std::string::npos);
 }
 
 TEST(Credibility, NamesWhatIsNotComputed) {
@@ -195,8 +195,8 @@ TEST(Credibility, OneHtmlFileHasEverySentence) {
   EXPECT_NE(html.find("Calculation verification"), std::string::npos);
   EXPECT_NE(html.find("Model risk is <strong>medium</strong>"), std::string::npos);
   EXPECT_EQ(html.find("http"), std::string::npos) << "needs no network";
-  EXPECT_EQ(readFile(folder / "credibility.json", 1U << 24U), jsonOf(quickFile()));
-  EXPECT_NE(support::messageOf([&] {
+  EXPECT_EQ(readFile(folder / "credibility.json", 1U << 24U), toJson(quickFile()));
+  EXPECT_NE(support::thrownMessage([&] {
               writeCredibility(quickFile(), folder / "credibility.txt");
             }).find("must end in .html or .json"),
             std::string::npos);

@@ -27,7 +27,7 @@ void expectSaid(const char* file, const std::string& words) {
   EXPECT_NE(pageText(file).find(words), std::string::npos) << file << " should say: " << words;
 }
 
-std::vector<std::string> figuresOf(FigureBasis basis) {
+std::vector<std::string> figuresWithBasis(FigureBasis basis) {
   std::vector<std::string> numbers;
   for (const DissertationFigure& figure : dissertationFigures()) {
     if (figure.basis == basis) numbers.push_back(figure.number);
@@ -39,7 +39,7 @@ std::vector<std::string> figuresOf(FigureBasis basis) {
 
 TEST(DocumentsOfStudies, CountTheNumbersApart) {
   const auto rows = studyNumbers();
-  const auto count = [&](Verdict verdict) { return countOf(rows, verdict); };
+  const auto count = [&](Verdict verdict) { return countRows(rows, verdict); };
   expectSaid("README.md",
              fmt::format("{} printed numbers come out of the engine, {} follow from other printed numbers, {} are "
                          "misprints, {} statements do not hold",
@@ -65,11 +65,11 @@ TEST(DocumentsOfStudies, CountTheErrataThatAreMeasured) {
 }
 
 TEST(DocumentsOfStudies, SayWhatTheFiguresAreDrawnFrom) {
-  const auto printed = figuresOf(FigureBasis::printed);
-  const auto examples = figuresOf(FigureBasis::own_example);
+  const auto printed = figuresWithBasis(FigureBasis::printed);
+  const auto examples = figuresWithBasis(FigureBasis::own_example);
   expectSaid("docs/reference/dissertation.md",
              fmt::format("Of the {} figures, {} are computed by the engine", dissertationFigures().size(),
-                         figuresOf(FigureBasis::computed).size()));
+                         figuresWithBasis(FigureBasis::computed).size()));
   expectSaid("docs/reference/dissertation.md", fmt::format("{} plot printed numbers again and compute nothing ({})",
                                                            printed.size(), fmt::join(printed, ", ")));
   expectSaid("docs/reference/dissertation.md",

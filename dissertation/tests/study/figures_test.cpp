@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 figures::Figure drawn(const std::string& number) { return chosenFigures({number}).at(0).draw(); }
 
-const figures::Series& seriesOf(const figures::Figure& figure, std::size_t panel, std::size_t series) {
+const figures::Series& seriesAt(const figures::Figure& figure, std::size_t panel, std::size_t series) {
   return std::get<figures::Plot>(figure.panels.at(panel)).series.at(series);
 }
 
@@ -48,7 +48,7 @@ TEST(DissertationFigures, AreListedOnceInTheOrderOfTheText) {
 TEST(DissertationFigures, AllAreDrawnWithTextsApart) {
   for (const auto& entry : dissertationFigures()) {
     const figures::Figure figure = entry.draw();
-    const auto texts = figures::textsOf(figure);
+    const auto texts = figures::collectDrawnTexts(figure);
     EXPECT_FALSE(texts.empty() && figure.panels.empty()) << entry.number;
     expectTextsApart(figure, entry.number);
   }
@@ -68,17 +68,17 @@ TEST(DissertationFigures, AreWrittenWithTheirDataAndAnIndex) {
 }
 
 TEST(DissertationFigures, AnUnknownNumberOrAFolderThatCannotBeIsRefusedByName) {
-  EXPECT_NE(support::messageOf([] { chosenFigures({"9.9"}); }).find("9.9"), std::string::npos);
-  EXPECT_NE(support::messageOf([] { writeFigures({}, "/proc/nowhere"); }).find("/proc/nowhere"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([] { chosenFigures({"9.9"}); }).find("9.9"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([] { writeFigures({}, "/proc/nowhere"); }).find("/proc/nowhere"), std::string::npos);
 }
 
 TEST(DissertationFigures, ShowTheNumbersOfTheText) {
   // Figure 4.8: the last entry of the array is 0.0021.
   const figures::Figure profile = drawn("4.8");
-  EXPECT_NEAR(seriesOf(profile, 1, 0).y.back(), 0.0021, 0.0001);
+  EXPECT_NEAR(seriesAt(profile, 1, 0).y.back(), 0.0021, 0.0001);
   // Figure 5.10: 120 at every key.
   const figures::Figure interpolated = drawn("5.10");
-  const figures::Series& exact = seriesOf(interpolated, 1, 0);
+  const figures::Series& exact = seriesAt(interpolated, 1, 0);
   int keys = 0;
   for (std::size_t i = 0; i < exact.x.size(); ++i) {
     if (exact.x[i] == 150.0 || exact.x[i] == 60.0 || exact.x[i] == -30.0) {
@@ -133,7 +133,7 @@ TEST(PressedSkin, FollowsTheFingerAtTheContactAndRestsFarAway) {
   };
   EXPECT_NEAR(height_at(rest, 40.0) - height_at(deformed, 40.0), 8.0, 1.5);  // one triangle is 5 mm
   EXPECT_NEAR(height_at(rest, -60.0), height_at(deformed, -60.0), 1e-3);
-  EXPECT_NE(support::messageOf([&] { placeOn(back, {900.0, 0.0}); }), "no error");
+  EXPECT_NE(support::thrownMessage([&] { placeOn(back, {900.0, 0.0}); }), "no error");
 }
 
 TEST(ModelMeshes, TheOutlineHoldsTheBack) {

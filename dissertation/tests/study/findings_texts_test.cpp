@@ -83,7 +83,7 @@ void expectAllTextsToRead(const FindingsFile& file) {
       for (const FindingsParagraph& one : all) {
         if (!within_others.contains(one.name)) values[one.name] = choosing(text, answers, all, one);
       }
-      for (const std::string& finding : findingsOf(file, values)) {
+      for (const std::string& finding : formatFindings(file, values)) {
         ASSERT_TRUE(finding.ends_with('.')) << file.path << ": " << finding;
       }
     }

@@ -50,9 +50,9 @@ TEST(Numbers, EveryComputableNumberIsReproducedOrANamedMisprint) {
     EXPECT_TRUE(row.verdict != Verdict::misprint || row.erratum != Erratum::none) << row.where;
     EXPECT_FALSE(row.reason.empty()) << row.where;
   }
-  EXPECT_EQ(countOf(rows, Verdict::misprint), 5);
-  EXPECT_GE(countOf(rows, Verdict::from_engine), 50);
-  EXPECT_GE(countOf(rows, Verdict::arithmetic), 150);
+  EXPECT_EQ(countRows(rows, Verdict::misprint), 5);
+  EXPECT_GE(countRows(rows, Verdict::from_engine), 50);
+  EXPECT_GE(countRows(rows, Verdict::arithmetic), 150);
 }
 
 TEST(Numbers, WhatFollowsFromPrintedNumbersIsNotCalledTheEngines) {
@@ -99,7 +99,7 @@ TEST(Numbers, AStatementHoldsWhereItsNumbersDo) {
 TEST(NumbersFindings, CountApartAndFollowTheRows) {
   std::vector<NumberRow> rows = studyNumbers();
   const auto said = [&] { return fmt::format("{}", fmt::join(numbersFindings(rows), "\n")); };
-  EXPECT_NE(said().find(fmt::format("{} numbers come out of our engine", countOf(rows, Verdict::from_engine))),
+  EXPECT_NE(said().find(fmt::format("{} numbers come out of our engine", countRows(rows, Verdict::from_engine))),
             std::string::npos);
   EXPECT_NE(said().find("None differs without an erratum"), std::string::npos);
   rows.front().verdict = Verdict::not_reproduced;
@@ -133,7 +133,7 @@ TEST(Numbers, ANumberIsAsExactAsItsDigits) {
   EXPECT_TRUE(agrees("115", 115.49));
   EXPECT_TRUE(agrees("4/15", 4.0 / 15.0));
   EXPECT_FALSE(agrees("4/15", 0.2667));
-  EXPECT_NE(support::messageOf([] { parsePrinted("3,04"); }), "no error");
+  EXPECT_NE(support::thrownMessage([] { parsePrinted("3,04"); }), "no error");
 }
 
 TEST(Numbers, AgreeWithTheIndependentReference) {
@@ -160,19 +160,19 @@ TEST(Numbers, TimesAreComparedAtEqualTriangleCounts) {
 
 TEST(Numbers, AreReportedAsTextJsonMarkdownAndCsv) {
   const auto rows = studyNumbers();
-  const auto json = nlohmann::json::parse(jsonOf(rows));
+  const auto json = nlohmann::json::parse(toJson(rows));
   EXPECT_TRUE(json.at("holds").get<bool>());
   EXPECT_EQ(json.at("rows").size() + json.at("statements").size(), rows.size());
   EXPECT_EQ(json.at("rows")[0].at("verdict"), "from our engine");
-  EXPECT_EQ(json.at("counts").at("from our engine"), countOf(rows, Verdict::from_engine));
-  EXPECT_EQ(json.at("counts").at("arithmetic of printed numbers"), countOf(rows, Verdict::arithmetic));
+  EXPECT_EQ(json.at("counts").at("from our engine"), countRows(rows, Verdict::from_engine));
+  EXPECT_EQ(json.at("counts").at("arithmetic of printed numbers"), countRows(rows, Verdict::arithmetic));
   EXPECT_NE(textOf(rows).find("0 NOT REPRODUCED"), std::string::npos);
-  EXPECT_NE(markdownOf(rows).find("| Table 3.3, height 5 | w | 3.04 | 3.0476 | +0.25 % | 0.005 | misprint (E13) |"),
+  EXPECT_NE(toMarkdown(rows).find("| Table 3.3, height 5 | w | 3.04 | 3.0476 | +0.25 % | 0.005 | misprint (E13) |"),
             std::string::npos);
   const support::TemporaryFolder folder;
   writeNumbers(rows, folder.path() / "new" / "folder");
-  EXPECT_EQ(readFile(folder.path() / "new/folder/numbers.csv", 1 << 20), csvOf(rows));
-  EXPECT_NE(support::messageOf([&] { writeNumbers(rows, folder.path() / "new/folder/numbers.csv"); }), "no error");
+  EXPECT_EQ(readFile(folder.path() / "new/folder/numbers.csv", 1 << 20), toCsv(rows));
+  EXPECT_NE(support::thrownMessage([&] { writeNumbers(rows, folder.path() / "new/folder/numbers.csv"); }), "no error");
 }
 
 }  // namespace palpate::study

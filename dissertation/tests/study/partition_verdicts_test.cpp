@@ -226,8 +226,8 @@ AssignmentMeasurement someCases() {
   return found;
 }
 
-AssignmentRow& caseOf(AssignmentMeasurement& found, Assignment assignment, Index threshold) {
-  return const_cast<AssignmentRow&>(rowOf(found, TreeKind::Octree, assignment, threshold));
+AssignmentRow& octreeRow(AssignmentMeasurement& found, Assignment assignment, Index threshold) {
+  return const_cast<AssignmentRow&>(findAssignmentRow(found, TreeKind::Octree, assignment, threshold));
 }
 
 }  // namespace
@@ -235,18 +235,18 @@ AssignmentRow& caseOf(AssignmentMeasurement& found, Assignment assignment, Index
 TEST(AssignmentVerdicts, CIsTheBestOnlyInWhatNoOtherCaseIsBetterIn) {
   AssignmentMeasurement found = someCases();
   EXPECT_TRUE(says(assignmentFindings(found), "building, the frame, our list; not in overlap of leaves"));
-  caseOf(found, Assignment::BothSides, 1024).frame_us = 10.0;
+  octreeRow(found, Assignment::BothSides, 1024).frame_us = 10.0;
   EXPECT_TRUE(says(assignmentFindings(found), "building, our list; not in the frame, overlap of leaves"));
 }
 
 TEST(AssignmentVerdicts, SmallLeavesPayOnlyWhereTheyRenderLess) {
   AssignmentMeasurement found = someCases();
   EXPECT_TRUE(says(assignmentFindings(found), "Small leaves pay with C only"));
-  caseOf(found, Assignment::BothSides, 64).rendered = 100.0;
+  octreeRow(found, Assignment::BothSides, 64).rendered = 100.0;
   EXPECT_TRUE(says(assignmentFindings(found), "Small leaves pay with C and B"));
-  caseOf(found, Assignment::Cut, 64).rendered = 100.0;
+  octreeRow(found, Assignment::Cut, 64).rendered = 100.0;
   EXPECT_TRUE(says(assignmentFindings(found), "Small leaves pay with every case"));
-  for (const Assignment assignment : kAssignments) caseOf(found, assignment, 64).rendered = 1e6;
+  for (const Assignment assignment : kAssignments) octreeRow(found, assignment, 64).rendered = 1e6;
   EXPECT_TRUE(says(assignmentFindings(found), "Small leaves pay with no case"));
 }
 
@@ -256,9 +256,9 @@ TEST(AssignmentVerdicts, OverlapMissesAndAreaFollowTheirNumbers) {
   EXPECT_TRUE(says(assignmentFindings(found), "Our search misses none"));
   EXPECT_TRUE(says(assignmentFindings(found), "Cutting is exact to rounding"));
   EXPECT_TRUE(says(assignmentFindings(found), "costs less than what A stores more"));
-  caseOf(found, Assignment::Cut, 1024).overlap = 1.4;
-  caseOf(found, Assignment::Cut, 1024).missed = 0.02;
-  caseOf(found, Assignment::Cut, 64).frame_us = 1.0;
+  octreeRow(found, Assignment::Cut, 1024).overlap = 1.4;
+  octreeRow(found, Assignment::Cut, 1024).missed = 0.02;
+  octreeRow(found, Assignment::Cut, 64).frame_us = 1.0;
   found.cut_area_error = 0.01;
   EXPECT_TRUE(says(assignmentFindings(found), "Leaves of A overlap by up to 1.40"));
   EXPECT_TRUE(says(assignmentFindings(found), "Our search misses up to 2.0 %"));
@@ -368,16 +368,16 @@ ComplexityResults someSearches() {
 
 TEST(ComplexityVerdicts, AMismatchIsAMisprintOnlyWhereTheListHasItAndOursIsRight) {
   ComplexityResults results = someSearches();
-  EXPECT_EQ(wordOf(verdictOf(results.columns[0])), "reproduced");
-  EXPECT_EQ(wordOf(verdictOf(results.columns[1])), "misprint (E13)");
+  EXPECT_EQ(verdictText(columnVerdict(results.columns[0])), "reproduced");
+  EXPECT_EQ(verdictText(columnVerdict(results.columns[1])), "misprint (E13)");
   EXPECT_TRUE(
       says(complexityFindings(results), "w is what the closed form says. 1 of the 2 printed values come out, 1 are"));
   results.columns[1].counted = 3.3;
-  EXPECT_EQ(wordOf(verdictOf(results.columns[1])), "NOT REPRODUCED");
+  EXPECT_EQ(verdictText(columnVerdict(results.columns[1])), "NOT REPRODUCED");
   EXPECT_TRUE(says(complexityFindings(results), "w is NOT what the closed form says"));
   EXPECT_TRUE(says(complexityFindings(results), "1 do NOT, and no erratum says why"));
   results.columns[0].printed = 2.99;
-  EXPECT_EQ(wordOf(verdictOf(results.columns[0])), "NOT REPRODUCED");
+  EXPECT_EQ(verdictText(columnVerdict(results.columns[0])), "NOT REPRODUCED");
 }
 
 TEST(ComplexityVerdicts, EstimatesHoldOnlyWhereTheCountsKeepToThem) {

@@ -23,12 +23,12 @@ std::vector<ArrayQuality> doubledSizes(TableLookup lookup) {
 
 TEST(ArrayQuality, NearestErrsHalfAsMuchWithTwiceTheEntries) {
   const auto sweep = doubledSizes(TableLookup::nearest);
-  EXPECT_NEAR(orderOf(sweep), -1.0, 0.03);
+  EXPECT_NEAR(convergenceSlope(sweep), -1.0, 0.03);
   for (std::size_t i = 1; i < sweep.size(); ++i) EXPECT_LT(sweep[i].error_mm, sweep[i - 1].error_mm);
 }
 
 TEST(ArrayQuality, LinearErrsAQuarterAsMuchWithTwiceTheEntries) {
-  EXPECT_NEAR(orderOf(doubledSizes(TableLookup::linear)), -2.0, 0.03);
+  EXPECT_NEAR(convergenceSlope(doubledSizes(TableLookup::linear)), -2.0, 0.03);
 }
 
 TEST(ArrayQuality, LinearErrorIsThatOfAChord) {

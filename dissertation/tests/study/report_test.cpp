@@ -59,7 +59,7 @@ std::string malformed(const std::string& html) {
   return open.empty() ? "" : "<" + open.top() + "> stays open";
 }
 
-std::size_t countOf(const std::string& text, const std::string& part) {
+std::size_t countOccurrences(const std::string& text, const std::string& part) {
   std::size_t count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
   return count;
@@ -83,7 +83,7 @@ void expectUnitsOnTheAxes(const figures::Plot& plot, const std::string& stem) {
 void expectFiguresWithTextsApart(const StudyPage& page) {
   for (const StudyFigure& figure : page.figures) {
     expectTextsApart(figure.figure, figure.stem);
-    EXPECT_TRUE(figures::pngOf(figure.figure, 0.5).starts_with(kPngStart)) << figure.stem;
+    EXPECT_TRUE(figures::renderPng(figure.figure, 0.5).starts_with(kPngStart)) << figure.stem;
     for (const auto& panel : figure.figure.panels) {
       if (const auto* plot = std::get_if<figures::Plot>(&panel)) expectUnitsOnTheAxes(*plot, figure.stem);
     }
@@ -111,9 +111,9 @@ TEST(Report, IsWellFormedAndHoldsEveryFigure) {
   writeReport(tinyChapters(), {.quick = true}, folder.path());
   const std::string html = readFile(folder / "report.html", 1 << 24);
   EXPECT_EQ(malformed(html), "");
-  EXPECT_EQ(countOf(html, "<figure "), 2u);
-  EXPECT_EQ(countOf(html, "src=\"data:image/"), 2u);
-  EXPECT_EQ(countOf(html, "http"), 0u) << "works without a network";
+  EXPECT_EQ(countOccurrences(html, "<figure "), 2u);
+  EXPECT_EQ(countOccurrences(html, "src=\"data:image/"), 2u);
+  EXPECT_EQ(countOccurrences(html, "http"), 0u) << "works without a network";
   for (const char* wanted : {"id=\"first_line\"", "id=\"second_line\"", "href=\"#second\"", "<section id=\"second\">",
                              "Is a &lt; b &amp; &quot;so&quot;?", "A &lt;line&gt;.", "palpate study second --quick"}) {
     EXPECT_NE(html.find(wanted), std::string::npos) << wanted;
@@ -144,7 +144,7 @@ TEST(Report, TellsItsSteps) {
 
 TEST(Report, AMissingPictureIsNamed) {
   const support::TemporaryFolder folder;
-  EXPECT_NE(support::messageOf([&] { reportHtml({}, {tinyPage("lost")}, folder.path()); }).find("lost_line"),
+  EXPECT_NE(support::thrownMessage([&] { reportHtml({}, {tinyPage("lost")}, folder.path()); }).find("lost_line"),
             std::string::npos);
 }
 

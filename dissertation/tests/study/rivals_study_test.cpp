@@ -20,7 +20,9 @@ namespace {
 // 27 kPa everywhere, 60 mm deep and wide.
 TissueBlock evenBlock(int cells) { return {{{60.0, 27.0}}, 60.0, cells}; }
 
-const Vec3& middleOf(const std::vector<Vec3>& displacements) { return displacements[displacements.size() / 2]; }
+const Vec3& middleDisplacement(const std::vector<Vec3>& displacements) {
+  return displacements[displacements.size() / 2];
+}
 
 }  // namespace
 
@@ -42,7 +44,7 @@ TEST(FiniteElements, AreLinearSymmetricAndKeepTheSkinOutOfTheBall) {
   const TissueBlock block = evenBlock(8);
   FiniteElements elements(block);
   const PressedSurface pressed = elements.press(2.0);
-  EXPECT_NEAR(middleOf(pressed.displacements).z(), -2.0, 1e-9);
+  EXPECT_NEAR(middleDisplacement(pressed.displacements).z(), -2.0, 1e-9);
   for (std::size_t v = 0; v < pressed.displacements.size(); ++v) {
     const Vec3 place = block.place(block.firstOfTop() + v);
     EXPECT_LE(pressed.displacements[v].z(), -ballDepth(place.head<2>().norm(), 2.0) + 1e-5);
@@ -77,7 +79,7 @@ TEST(MassSpring, IsAsStiffAsItsTissueSays) {
   const PressedSurface of_firm = MassSpring(firm).press(2.0);
   const PressedSurface of_soft = MassSpring(soft).press(2.0);
   EXPECT_NEAR(of_firm.force_n, 2.0 * of_soft.force_n, 0.01 * of_firm.force_n);
-  EXPECT_NEAR(middleOf(of_firm.displacements).z(), -2.0, 1e-9);
+  EXPECT_NEAR(middleDisplacement(of_firm.displacements).z(), -2.0, 1e-9);
   for (std::size_t v = 0; v < of_firm.displacements.size(); ++v) {
     EXPECT_NEAR(of_firm.displacements[v].z(), of_soft.displacements[v].z(), 1e-3);
   }
@@ -97,7 +99,7 @@ TEST(FreeForm, TakesTheDraggedPointAlongAndReachesFourLattices) {
   const TissueBlock block = evenBlock(20);
   FreeForm form(block, 6.0);
   const std::vector<Vec3> moved = form.press(5.0);
-  EXPECT_NEAR(middleOf(moved).z(), -5.0, 1e-9);
+  EXPECT_NEAR(middleDisplacement(moved).z(), -5.0, 1e-9);
   for (std::size_t v = 0; v < moved.size(); ++v) {
     const Vec3 place = block.place(block.firstOfTop() + v);
     const double far = place.head<2>().cwiseAbs().maxCoeff();

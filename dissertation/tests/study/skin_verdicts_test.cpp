@@ -28,7 +28,7 @@ ProfileResults someProfiles() {
   return results;
 }
 
-ArrayQuality& sizeOf(ArraySweep& sweep, int entries) { return sweep[indexOf(entries)]; }
+ArrayQuality& sweepEntry(ArraySweep& sweep, int entries) { return sweep[indexOf(entries)]; }
 
 }  // namespace
 
@@ -37,22 +37,22 @@ TEST(ProfileVerdicts, TheTextIsRightOnlyInWhatThePixelSays) {
   EXPECT_TRUE(says(profileFindings(results),
                    "the text is right that 20 is seen, that 130 is hardly told from 700, that "
                    "more than 700 is not needed"));
-  sizeOf(results.nearest[0], 20).error_mm = 0.1;
+  sweepEntry(results.nearest[0], 20).error_mm = 0.1;
   EXPECT_TRUE(says(profileFindings(results), "it is not right that 20 is seen"));
-  sizeOf(results.nearest[0], 130).error_mm = 0.5;
+  sweepEntry(results.nearest[0], 130).error_mm = 0.5;
   EXPECT_TRUE(says(profileFindings(results), "it is not right that 20 is seen, that 130 is hardly told from 700"));
-  sizeOf(results.nearest[0], 700).error_mm = 1.0;
+  sweepEntry(results.nearest[0], 700).error_mm = 1.0;
   EXPECT_FALSE(says(profileFindings(results), "the text is right"));
 }
 
 TEST(ProfileVerdicts, EntriesSufficeOnlyWhereNoTurnIsSeen) {
   ProfileResults results = someProfiles();
   EXPECT_TRUE(says(profileFindings(results), "suffice for the mesh of 2008 and not for one of 1 mm"));
-  sizeOf(results.nearest[1], 700).turn_deg = 0.1;
+  sweepEntry(results.nearest[1], 700).turn_deg = 0.1;
   EXPECT_TRUE(says(profileFindings(results), "700 entries suffice for both"));
-  sizeOf(results.nearest[0], 700).turn_deg = 3.0;
+  sweepEntry(results.nearest[0], 700).turn_deg = 3.0;
   EXPECT_TRUE(says(profileFindings(results), "suffice for the finer mesh only"));
-  sizeOf(results.nearest[1], 700).turn_deg = 3.0;
+  sweepEntry(results.nearest[1], 700).turn_deg = 3.0;
   EXPECT_TRUE(says(profileFindings(results), "700 entries suffice for neither"));
 }
 

@@ -84,18 +84,18 @@ TEST(StabilityStudy, CountsWhatTheMapAllowsApartFromWhatItRefuses) {
   cells[1].refused = "no stiffness is stable";
   cells[1].oscillates_bare = cells[1].oscillates_controlled = 7;
   cells[1].port_energy_mj_max = 50.0;
-  EXPECT_EQ(totalsOf(cells).allowed, 1u);
-  EXPECT_EQ(totalsOf(cells).oscillates_bare, 11u);
-  EXPECT_EQ(totalsOf(cells).oscillates_allowed, 0u);
-  EXPECT_EQ(totalsOf(cells).port_energy_allowed_mj_max, 0.005);
-  EXPECT_EQ(totalsOf(cells).controlled_above_bare, 0u);
+  EXPECT_EQ(computeTotals(cells).allowed, 1u);
+  EXPECT_EQ(computeTotals(cells).oscillates_bare, 11u);
+  EXPECT_EQ(computeTotals(cells).oscillates_allowed, 0u);
+  EXPECT_EQ(computeTotals(cells).port_energy_allowed_mj_max, 0.005);
+  EXPECT_EQ(computeTotals(cells).controlled_above_bare, 0u);
   EXPECT_TRUE(says(stabilityMapPage(lab::stabilityMapPlan(), cells).findings, "what is allowed holds"));
-  const std::string json = jsonOf(stabilityMapPage(lab::stabilityMapPlan(), cells));
+  const std::string json = toJson(stabilityMapPage(lab::stabilityMapPlan(), cells));
   for (const char* key : {"\"cells\": [", "\"oscillates_bare\": 4.0", "\"port_energy_mj_max\": 50.0"}) {
     EXPECT_NE(json.find(key), std::string::npos) << key;
   }
   cells[0].oscillates_controlled = 5;
-  EXPECT_EQ(totalsOf(cells).controlled_above_bare, 1u);
+  EXPECT_EQ(computeTotals(cells).controlled_above_bare, 1u);
   EXPECT_TRUE(says(stabilityMapPage(lab::stabilityMapPlan(), cells).findings, "does not hold"));
 }
 

@@ -38,7 +38,7 @@ using Library = nlohmann::ordered_json;
 /// long.
 class JsonBuilder {
  public:
-  Json take() { return std::move(root_); }
+  Json releaseRoot() { return std::move(root_); }
   const std::string& error() const { return error_; }
 
   // NOLINTBEGIN(readability-identifier-naming): the names that the library calls
@@ -172,12 +172,12 @@ Json Json::object(std::initializer_list<Json> members) {
 Json Json::parse(std::string_view text) {
   JsonBuilder builder;
   if (!Library::sax_parse(text, &builder)) throw JsonError(builder.error());
-  return builder.take();
+  return builder.releaseRoot();
 }
 
 Json Json::tryParse(std::string_view text) {
   JsonBuilder builder;
-  if (Library::sax_parse(text, &builder)) return builder.take();
+  if (Library::sax_parse(text, &builder)) return builder.releaseRoot();
   Json json;
   json.kind_ = Kind::discarded;
   return json;

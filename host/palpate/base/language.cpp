@@ -23,7 +23,7 @@ constexpr std::array kLanguages = {Language{"en", "English", '.', ","}, Language
 
 std::atomic<const Language*> in_use = &kLanguages.front();
 
-const Language* languageOf(std::string_view code) {
+const Language* findLanguage(std::string_view code) {
   const auto* found = std::ranges::find(kLanguages, code, &Language::code);
   return found == kLanguages.end() ? nullptr : found;
 }
@@ -46,7 +46,7 @@ const Language& ofTheSystem() {
   for (const std::string_view wanted : split(list.empty() ? locale : list, ':')) {
     const std::string_view code = wanted.substr(0, wanted.find_first_of("_.@"));
     if (isC(code)) break;
-    if (const Language* known = languageOf(code)) return *known;
+    if (const Language* known = findLanguage(code)) return *known;
   }
   return kLanguages.front();
 }
@@ -69,7 +69,7 @@ std::vector<std::string> codes() {
 std::span<const Language> languages() { return kLanguages; }
 
 void useLanguage(std::string_view code, const std::filesystem::path& folder) {
-  const Language* wanted = code.empty() ? &ofTheSystem() : languageOf(code);
+  const Language* wanted = code.empty() ? &ofTheSystem() : findLanguage(code);
   if (wanted == nullptr) throw Error(unknownName("language", std::string(code), "", codes()));
   in_use = wanted;
   system::useCatalogue(folder.empty() ? ownCatalogues() : folder, std::string(wanted->code));
@@ -79,12 +79,12 @@ const Language& language() noexcept { return *in_use; }
 
 const char* tr(const char* english) noexcept {
   // The empty text is the catalogue's own header.
-  return language().code == "en" || *english == '\0' ? english : system::translationOf(english);
+  return language().code == "en" || *english == '\0' ? english : system::translate(english);
 }
 
 const char* trn(const char* one, const char* many, std::size_t count) noexcept {
   if (language().code == "en") return count == 1 ? one : many;
-  return system::translationOf(one, many, count);
+  return system::translate(one, many, count);
 }
 
 std::string formattedIfFit(const char* format, fmt::format_args values) {

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr int kMaxLinks = 40;
 
 /// A link on the way to this file that another user may have made; empty: none.
-fs::path linkOfAnybody(const fs::path& file) {
+fs::path untrustedLink(const fs::path& file) {
   fs::path way;
   std::error_code error;
   for (const fs::path& part : file) {
@@ -40,7 +40,7 @@ fs::path linkOfAnybody(const fs::path& file) {
 void refuseLinksOfAnybody(fs::path target) {
   std::error_code error;
   for (int i = 0; i < kMaxLinks; ++i) {
-    if (const fs::path link = linkOfAnybody(target); !link.empty()) {
+    if (const fs::path link = untrustedLink(target); !link.empty()) {
       throw Error::inFile(link.string(), "is a link in a folder that everybody may write to: name what it leads to");
     }
     if (!fs::is_symlink(fs::symlink_status(target, error))) return;
@@ -124,7 +124,7 @@ OutputFile::OutputFile(fs::path target, Unfinished unfinished, Access access) : 
   descriptor_ = createPartial(place_, usual ? system::ReadableBy::usual : system::ReadableBy::owner, written_);
   check(descriptor_ >= 0);
   removes_ = unfinished == Unfinished::remove;
-  if (replaces && usual) system::takeRightsOf(place_, descriptor_);
+  if (replaces && usual) system::copyPermissions(place_, descriptor_);
 }
 
 OutputFile::~OutputFile() {

@@ -34,7 +34,7 @@ class OutputFile {
   /// Nothing may be written afterwards.
   void commit();
   /// From now on written bytes stay, even without a commit.
-  void keepUnfinished() noexcept { removes_ = false; }
+  void retainUnfinished() noexcept { removes_ = false; }
 
   /// Where the bytes are until the commit.
   const std::filesystem::path& partial() const { return written_; }

@@ -37,13 +37,13 @@ void requirePrivateFolder(const fs::path& folder) {
   throw Error::inFile(folder.string(), "must be a folder of this user alone (mode 700, no link)");
 }
 
-void requireClosedFile(const fs::path& file, OthersOfFile others) {
+void requireClosedFile(const fs::path& file, OtherReaders others) {
   std::error_code error;
   if (!fs::exists(file, error)) {
     throw Error::inFile(file.string(), std::generic_category().message(error ? error.value() : ENOENT));
   }
   const bool closed =
-      others == OthersOfFile::group ? system::isClosedToStrangers(file) : system::isClosedToOthers(file);
+      others == OtherReaders::group ? system::isClosedToStrangers(file) : system::isClosedToOthers(file);
   if (!closed) throw Error::inFile(file.string(), "others may read or write it: " + system::howToClose(file));
 }
 

@@ -18,9 +18,9 @@ void makePrivateFolder(const std::filesystem::path& folder, ExistingFolder exist
 void requirePrivateFolder(const std::filesystem::path& folder);
 
 /// Users other than the owner who may read and write a file.
-enum class OthersOfFile { nobody, group };
+enum class OtherReaders { none, group };
 /// Throws Error for a file that is not there, and for one that still others may read or write.
-void requireClosedFile(const std::filesystem::path& file, OthersOfFile others = OthersOfFile::nobody);
+void requireClosedFile(const std::filesystem::path& file, OtherReaders others = OtherReaders::none);
 
 /// A fresh folder of mode 0700, "<stem>-XXXXXX", where temporary files belong. Throws Error.
 std::filesystem::path newTemporaryFolder(std::string_view stem);

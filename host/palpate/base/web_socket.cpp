@@ -54,7 +54,7 @@ std::array<unsigned char, N> randomBytes() {
 }
 
 /// Up to the mask.
-std::string headOf(Side own, Kind kind, std::uint64_t size) {
+std::string makeFrameHead(Side own, Kind kind, std::uint64_t size) {
   const unsigned mask_bit = own == Side::client ? kMaskBit : 0;
   std::string head(1, static_cast<char>(kLastBit | static_cast<unsigned>(kind)));
   const auto add = [&](std::uint64_t byte) { head += static_cast<char>(byte); };
@@ -155,10 +155,10 @@ std::optional<Received> FrameReader::next() {
   return std::nullopt;
 }
 
-std::string makeHead(Kind kind, std::size_t bytes) { return headOf(Side::server, kind, bytes); }
+std::string makeHead(Kind kind, std::size_t bytes) { return makeFrameHead(Side::server, kind, bytes); }
 
 std::string makeFrame(Side own, Kind kind, std::string_view bytes) {
-  std::string frame = headOf(own, kind, bytes.size());
+  std::string frame = makeFrameHead(own, kind, bytes.size());
   if (own == Side::server) return frame.append(bytes);
   for (const unsigned char byte : randomBytes<kMaskBytes>()) frame += static_cast<char>(byte);
   const std::size_t at = frame.size();

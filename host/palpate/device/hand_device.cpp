@@ -23,7 +23,7 @@ constexpr double kReachMm = 80.0;
 /// A loop that was away for longer left the hand alone: it rests by then.
 constexpr std::uint64_t kMaxCatchUpTicks = 500;
 
-std::vector<std::string> handWords() {
+std::vector<std::string> handOrDeviceNames() {
   std::vector<std::string> words = wordList<HandKind>();
   for (const auto& [word, device] : WordsOf<scene::DeviceModel>::kAll) {
     if (device != scene::DeviceModel::unknown) words.emplace_back(word);
@@ -107,7 +107,7 @@ HandChoice handChoice(std::string_view words) {
     } else if (device && *device != scene::DeviceModel::unknown) {
       choice.device = *device;
     } else {
-      throw Error(unknownName("hand or device", word, "hand:HAND,DEVICE", handWords()));
+      throw Error(unknownName("hand or device", word, "hand:HAND,DEVICE", handOrDeviceNames()));
     }
   }
   return choice;

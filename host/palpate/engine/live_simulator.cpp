@@ -25,10 +25,10 @@ LiveSimulator::LiveSimulator(std::shared_ptr<const scene::World> world, std::vec
     : fingers_(fingersFor(*world, std::move(fingers))),
       links_(std::make_unique<Link[]>(fingers_.size())),
       newest_world_(world),
-      servo_(servoPlan(std::move(world), fingers_), devicesOf({links_.get(), fingers_.size()}),
-             guideOf({links_.get(), fingers_.size()})) {}
+      servo_(servoPlan(std::move(world), fingers_), collectDevices({links_.get(), fingers_.size()}),
+             makeGuide({links_.get(), fingers_.size()})) {}
 
-std::vector<device::Device> LiveSimulator::devicesOf(std::span<Link> links) {
+std::vector<device::Device> LiveSimulator::collectDevices(std::span<Link> links) {
   std::vector<device::Device> devices;
   for (Link& link : links) {
     device::Device device;
@@ -39,7 +39,7 @@ std::vector<device::Device> LiveSimulator::devicesOf(std::span<Link> links) {
   return devices;
 }
 
-ServoThread::Guide LiveSimulator::guideOf(std::span<Link> links) {
+ServoThread::Guide LiveSimulator::makeGuide(std::span<Link> links) {
   return [links](std::span<servo::FingerChain> fingers) {
     for (std::size_t i = 0; i < links.size(); ++i) {
       const Pose& pose = links[i].pose.newest();

@@ -62,8 +62,8 @@ class LiveSimulator {
     std::uint64_t placing_felt = 0;
     Link();
   };
-  static std::vector<device::Device> devicesOf(std::span<Link> links);
-  static ServoThread::Guide guideOf(std::span<Link> links);
+  static std::vector<device::Device> collectDevices(std::span<Link> links);
+  static ServoThread::Guide makeGuide(std::span<Link> links);
 
   std::vector<contact::FingerSettings> fingers_;
   std::unique_ptr<Link[]> links_;

@@ -51,15 +51,15 @@ void Recorder::attach(trace::RecordingAttachment attachment) {
   queue({.attachment = std::move(attachment)});
 }
 
-bool Recorder::keep(const std::filesystem::path& file) {
+bool Recorder::save(const std::filesystem::path& file) {
   const std::lock_guard lock(mutex_);
   if (keeping_) return false;
   keeping_ = true;
-  commands_.push_back({.keep = file});
+  commands_.push_back({.save = file});
   return true;
 }
 
-std::optional<KeptRecording> Recorder::takeKept() {
+std::optional<KeptRecording> Recorder::collectSaved() {
   const std::lock_guard lock(mutex_);
   if (kept_) keeping_ = false;
   return std::exchange(kept_, std::nullopt);
@@ -119,7 +119,7 @@ void Recorder::run() {
 
 void Recorder::work() {
   servo::NumberedSample sample;
-  while (servo_.popRecorded(sample)) take(sample);
+  while (servo_.popRecorded(sample)) recordSample(sample);
   runPending();
   const double kept_ticks = settings_.keep_s * settings_.header.ticks_per_s;
   const std::uint64_t newest = newest_tick_;
@@ -128,7 +128,7 @@ void Recorder::work() {
   writer_->forgetBefore(first_tick_);
 }
 
-void Recorder::take(const servo::NumberedSample& numbered) {
+void Recorder::recordSample(const servo::NumberedSample& numbered) {
   const trace::Sample& sample = numbered.sample;
   const std::uint64_t missing = samples_ == 0 ? 0 : numbered.number - next_number_;
   next_number_ = numbered.number + 1;
@@ -191,11 +191,11 @@ void Recorder::run(Command& command) {
   }
   if (command.event) writer_->add(*command.event);
   if (command.attachment) writer_->add(*command.attachment);
-  if (!command.keep) return;
+  if (!command.save) return;
   writer_->flush();
   const double seconds = state().seconds;
   // On its own thread, because an hour takes longer than the ring holds.
-  copying_.emplace([this, file = *command.keep, seconds] {
+  copying_.emplace([this, file = *command.save, seconds] {
     KeptRecording kept{file, seconds, {}};
     try {
       trace::copyRecording(partial_, file, "kept");

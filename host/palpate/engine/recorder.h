@@ -64,10 +64,10 @@ class Recorder {
   void mark(std::string text) { event("mark", std::move(text)); }
   /// A picture or a sound, at the newest tick.
   void attach(trace::RecordingAttachment attachment);
-  /// Copies what there is into a finished file of its own and continues; `takeKept` says when it is there. Nothing
+  /// Copies what there is into a finished file of its own and continues; `collectSaved` says when it is there. Nothing
   /// happens while another copy is being made: false.
-  bool keep(const std::filesystem::path& file);
-  std::optional<KeptRecording> takeKept();
+  bool save(const std::filesystem::path& file);
+  std::optional<KeptRecording> collectSaved();
 
   RecorderState state() const;
   /// Where it is written until it is finished.
@@ -87,13 +87,13 @@ class Recorder {
     std::optional<FeltWorld> world = {};
     std::optional<trace::RecordingEvent> event = {};
     std::optional<trace::RecordingAttachment> attachment = {};
-    std::optional<std::filesystem::path> keep = {};
+    std::optional<std::filesystem::path> save = {};
   };
   void queue(Command command);
   void end();
   void run();
   void work();
-  void take(const servo::NumberedSample& numbered);
+  void recordSample(const servo::NumberedSample& numbered);
   void run(Command& command);
   void runPending();
   void note(const trace::Sample& sample);

@@ -112,7 +112,7 @@ class Bundle {
     writer.setDropped(recording_.facts().dropped);
     writer.finish(recording_.facts().ended_by.empty() ? "bundled" : recording_.facts().ended_by,
                   recording_.facts().ended_utc);
-    whole.keep();
+    whole.commit();
     return std::move(report_);
   }
 
@@ -128,20 +128,20 @@ class Bundle {
                      [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
   }
 
-  fs::path folderOf(const trace::RecordingWorld& world) const {
+  fs::path sceneFolder(const trace::RecordingWorld& world) const {
     if (!settings_.folder.empty()) return settings_.folder;
     return carried_.folder().empty() ? pathOf(world.folder) : carried_.folder();
   }
 
-  scene::Scene sceneOf(const trace::RecordingWorld& world) const {
-    return scene::parse(world.scene, (folderOf(world) / "session.toml").string());
+  scene::Scene parseRecordedScene(const trace::RecordingWorld& world) const {
+    return scene::parse(world.scene, (sceneFolder(world) / "session.toml").string());
   }
 
   std::vector<fs::path> filesOfScenes() {
     std::vector<fs::path> files;
     const trace::RecordingFacts& facts = recording_.facts();
     for (std::uint64_t i = 0; i < facts.worlds; ++i) {
-      scene::Scene scene = sceneOf(recording_.world(facts.first_world + i));
+      scene::Scene scene = parseRecordedScene(recording_.world(facts.first_world + i));
       for (const NamedFile& named : namedFiles(scene)) {
         std::error_code error;
         if (named.place->empty() || !fs::exists(*named.place, error)) continue;
@@ -158,7 +158,7 @@ class Bundle {
   }
 
   void pack(trace::RecordingWorld& world) {
-    scene::Scene scene = sceneOf(world);
+    scene::Scene scene = parseRecordedScene(world);
     for (const NamedFile& named : namedFiles(scene)) {
       if (!named.place->empty()) *named.place = kBundle / nameOf(*named.place, named);
     }

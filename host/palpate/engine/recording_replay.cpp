@@ -141,7 +141,7 @@ std::string valueOf(const trace::SampleColumn& column, std::uint64_t bits) {
 /// Farther than any finger is felt. A lost finger's sample has its last place.
 constexpr double kFarAwayMm = 1e12;
 
-Vec3 tipOf(const trace::Sample& sample) {
+Vec3 sampleTip(const trace::Sample& sample) {
   if ((sample.safety & servo::kTipNotFinite) != 0) return device::kNoPlace;
   return (sample.contact.status & contact::kTipLost) != 0 ? Vec3(Vec3::Constant(kFarAwayMm)) : sample.contact.tip;
 }
@@ -176,7 +176,7 @@ class Replay {
         if (sample.tick >= span.from && proof_.proves(sample)) compare(sample, felt.back());
       }
       if (sink && recorded.front().tick >= span.from) sink(felt);
-      tellProgress(recorded.front().tick);
+      reportProgress(recorded.front().tick);
       return true;
     });
     report_.unproven = proof_.unproven();
@@ -185,7 +185,7 @@ class Replay {
   }
 
  private:
-  void tellProgress(std::uint64_t tick) {
+  void reportProgress(std::uint64_t tick) {
     if (tick % kTicksPerReport != 0) return;
     const trace::RecordingFacts& facts = recording_.facts();
     const auto all = static_cast<double>(facts.last_tick - facts.first_tick + 1);
@@ -193,8 +193,8 @@ class Replay {
   }
 
   /// Recordings that were joined were often felt in one and the same scene.
-  std::shared_ptr<const scene::World> worldOf(const trace::RecordingWorld& recorded,
-                                              const std::filesystem::path& folder) {
+  std::shared_ptr<const scene::World> reuseOrBuildWorld(const trace::RecordingWorld& recorded,
+                                                        const std::filesystem::path& folder) {
     if (worlds_.empty() || built_from_ != std::pair(recorded.scene, folder)) {
       auto world = builtWorld(recorded, folder, progress_);
       built_from_ = {recorded.scene, folder};
@@ -211,7 +211,7 @@ class Replay {
     }
     const auto started = Clock::now();
     const std::filesystem::path folder = settings_.folder.empty() ? pathOf(recorded.folder) : settings_.folder;
-    const auto world = worldOf(recorded, folder);
+    const auto world = reuseOrBuildWorld(recorded, folder);
     report_.build_s += secondsSince(started);
     if (std::string note = noteOfAnotherWorld(recorded, number, *world); !note.empty()) {
       report_.notes.push_back(std::move(note));
@@ -261,7 +261,7 @@ class Replay {
     servo::FingerChain& chain = fingers_[sample.finger];
     forget(sample.forgot | (proof_.beginsAnew(sample) ? trace::kForgotTouch | trace::kForgotLimiter : 0u), chain);
     servo::Pose pose;
-    pose.tip = tipOf(sample);
+    pose.tip = sampleTip(sample);
     pose.tick = sample.tick;
     pose.age_ticks = (sample.safety & servo::kTipStale) != 0 ? std::numeric_limits<double>::infinity() : 0.0;
     const Vec3 tip = servo::guardTip(chain.limiter_settings, chain.limiter, pose);

@@ -120,7 +120,7 @@ contact::FingerSettings contactSettingsFrom(const std::string& text) {
 
 RecordedLimiter limiterFrom(const std::string& text) { return readFrom<RecordedLimiter>(text, kLimiterFields); }
 
-std::string limitsInWords(const servo::LimiterSettings& limits) {
+std::string describeLimits(const servo::LimiterSettings& limits) {
   std::string text = fmt::format("force at most {:.3g} N, all forces times {:.3g}, at most {:.3g} N/mm", limits.force_n,
                                  limits.stiffness_factor, limits.stiffness_factor * limits.stiffness_n_per_mm);
   if (limits.cap_n_per_mm > 0.0) text += fmt::format(", held there above {:.3g} N", limits.compared_n);
@@ -163,15 +163,15 @@ std::string noteOfAnotherWorld(const trace::RecordingWorld& recorded, std::uint3
   return fmt::format("world {} is not the recorded one: its body or its stiffness is another{}", number, why);
 }
 
-std::vector<FeltWith> feltWith(const servo::Rig& rig) {
-  std::vector<FeltWith> fingers;
+std::vector<FingerSetup> feltWith(const servo::Rig& rig) {
+  std::vector<FingerSetup> fingers;
   for (const servo::FingerChain& finger : rig.fingers) {
     fingers.push_back({finger.contact_settings, finger.limiter_settings, finger.limiter.closes_loop});
   }
   return fingers;
 }
 
-trace::RecordingWorld recordingWorld(const scene::World& world, std::span<const FeltWith> fingers) {
+trace::RecordingWorld recordingWorld(const scene::World& world, std::span<const FingerSetup> fingers) {
   trace::RecordingWorld recorded;
   const std::filesystem::path folder = world.scene.file.empty() ? "." : world.scene.file.parent_path();
   std::error_code error;
@@ -180,7 +180,7 @@ trace::RecordingWorld recordingWorld(const scene::World& world, std::span<const 
   recorded.body = world.body->name;
   recorded.triangles = world.body->skin.triangles.size();
   recorded.hash = hashOf(world);
-  for (const FeltWith& finger : fingers) {
+  for (const FingerSetup& finger : fingers) {
     recorded.fingers.push_back({asText(finger.contact), asText(finger.limiter, finger.closes_loop)});
   }
   return recorded;
@@ -219,7 +219,7 @@ trace::RecordingHeader recordingHeader(double ticks_per_s) {
   header.started_utc = trace::utcNow();
   header.software = "palpate " PALPATE_VERSION;
   header.ticks_per_s = ticks_per_s;
-  header.machine = system::machineWords();
+  header.machine = system::describeMachine();
   return header;
 }
 

@@ -28,7 +28,7 @@ struct RecordedLimiter {
 };
 RecordedLimiter limiterFrom(const std::string& text);
 /// A limiter's limits, for people.
-std::string limitsInWords(const servo::LimiterSettings& limits);
+std::string describeLimits(const servo::LimiterSettings& limits);
 
 /// The limits that a finger was felt with in a recorded world.
 struct FingerLimits {
@@ -45,15 +45,15 @@ std::uint64_t hashOf(const scene::World& world);
 std::string noteOfAnotherWorld(const trace::RecordingWorld& recorded, std::uint32_t number, const scene::World& world);
 
 /// A finger's settings.
-struct FeltWith {
+struct FingerSetup {
   contact::FingerSettings contact;
   servo::LimiterSettings limiter;
   bool closes_loop = true;
 };
-std::vector<FeltWith> feltWith(const servo::Rig& rig);
+std::vector<FingerSetup> feltWith(const servo::Rig& rig);
 
 /// A world as a recording keeps it, with what each finger is felt with in it.
-trace::RecordingWorld recordingWorld(const scene::World& world, std::span<const FeltWith> fingers);
+trace::RecordingWorld recordingWorld(const scene::World& world, std::span<const FingerSetup> fingers);
 
 /// A finger with the device that has it; where `frame` is given, also how the device's space lies in the body.
 trace::RecordingFinger recordingFinger(std::string name, const device::Device& device,

@@ -27,12 +27,12 @@ servo::Rig rigFor(ServoPlan& plan, std::vector<device::Device> devices, double t
                        .tick_s = tick_s});
 }
 
-double tickOf(const ServoPlan& plan) {
+double tickLength(const ServoPlan& plan) {
   return plan.fingers.empty() ? servo::Rig{}.tick_s : plan.fingers.front().tick_s;
 }
 
 /// Catch-up, ramps and limits of speed are per second: all must mean the same second.
-void keepRate(ServoPlan& plan, double tick_s) {
+void setTickLength(ServoPlan& plan, double tick_s) {
   for (contact::FingerSettings& finger : plan.fingers) finger.tick_s = tick_s;
   plan.limiter.tick_s = tick_s;
 }
@@ -73,7 +73,7 @@ ServoPlan servoPlan(std::shared_ptr<const scene::World> world, std::vector<conta
 
 ServoThread::ServoThread(ServoPlan plan, std::vector<device::Device> devices, Guide guide, std::size_t record_capacity)
     : fingers_(plan.fingers.size()),
-      tick_s_(tickOf(plan)),
+      tick_s_(tickLength(plan)),
       links_(fingers_, std::size_t{1} << 16, record_capacity),
       guide_(std::move(guide)),
       at_work_(std::make_unique<ServoPlan>(std::move(plan))) {
@@ -107,7 +107,7 @@ void ServoThread::change(ServoPlan plan) {
   if (plan.fingers.size() != fingers_) {
     throw Error(fmt::format("servo: {} fingers instead of {}", plan.fingers.size(), fingers_));
   }
-  keepRate(plan, tick_s_);
+  setTickLength(plan, tick_s_);
   plan.devices.resize(fingers_);
   inheritDevices(plan.devices, waiting_);
   // A plan that was never taken may have been the one with another body.

@@ -40,7 +40,7 @@ struct ServoPlan {
 struct FeltWorld {
   std::uint32_t number = 0;  ///< trace::Sample::world
   std::shared_ptr<const scene::World> world;
-  std::vector<FeltWith> fingers;
+  std::vector<FingerSetup> fingers;
 };
 
 /// The plan for these fingers on a world, with the world's own limits. Throws Error for settings that make no sense.

@@ -73,7 +73,9 @@ std::uint64_t hashOf(std::string_view bytes) {
 }
 
 /// First lines of this recipe's file.
-std::string headOf(std::string_view recipe) { return fmt::format("{}\n{}\n{}\n", kStoreHead, bodyMakers(), recipe); }
+std::string makeFileHead(std::string_view recipe) {
+  return fmt::format("{}\n{}\n{}\n", kStoreHead, bodyMakers(), recipe);
+}
 
 fs::path fileNameFor(std::string_view head) { return fmt::format("{:016x}.body", hashOf(head)); }
 
@@ -113,7 +115,7 @@ std::optional<std::string> besideTheProgram(std::string_view head) {
 
 std::optional<std::string> findBody(std::string_view recipe) {
   if (storeBytes() == 0) return std::nullopt;
-  const std::string head = headOf(recipe);
+  const std::string head = makeFileHead(recipe);
   for (const auto& find : {ofTheUser, besideTheProgram}) {
     try {
       if (auto bytes = find(head)) return bytes;
@@ -149,10 +151,10 @@ void evictOldest(const fs::path& folder, std::uint64_t bound) {
   }
 }
 
-void keepBodyFile(std::string_view recipe, std::string_view bytes) {
+void saveBodyFile(std::string_view recipe, std::string_view bytes) {
   const std::uint64_t bound = storeBytes();
   const fs::path folder = storeFolder();
-  const std::string head = headOf(recipe);
+  const std::string head = makeFileHead(recipe);
   const std::string content = head + hashLine(bytes) + std::string(bytes);
   if (folder.empty() || content.size() > std::min(bound, kMaxBodyBytes)) return;
   try {
@@ -166,7 +168,7 @@ void keepBodyFile(std::string_view recipe, std::string_view bytes) {
 }
 
 [[maybe_unused]] const bool kStoreInstalled = [] {
-  setBodyStore({findBody, keepBodyFile});
+  setBodyStore({findBody, saveBodyFile});
   return true;
 }();
 

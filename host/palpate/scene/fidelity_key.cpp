@@ -23,7 +23,7 @@ void readErratum(Fidelity& fidelity, const Entry& entry, std::string_view name) 
   fidelity.setLiteral(erratum, readsLiteral(entry));
 }
 
-Entry entryOf(const std::string& key, const TomlNode& node, const Entry& table) {
+Entry childEntry(const std::string& key, const TomlNode& node, const Entry& table) {
   return {node, table.file, fmt::format("{}.{}", table.name, oneLine(key))};
 }
 
@@ -34,7 +34,7 @@ void readFidelity(Fidelity& fidelity, const Entry& entry) {
     fidelity.setAll(readsLiteral({*all, entry.file, entry.name + ".all"}));
   }
   for (const auto& [key, place, node] : table->entries()) {
-    if (key != "all") readErratum(fidelity, entryOf(key, node, entry), key);
+    if (key != "all") readErratum(fidelity, childEntry(key, node, entry), key);
   }
 }
 
@@ -53,7 +53,8 @@ std::string showFidelity(const Scene& scene) {
 }  // namespace
 
 Key<Scene> fidelityKey() {
-  return {"fidelity", choiceWords(wordList<Reading>()) + ", or one word for each erratum: `fidelity.E14 = \"literal\"`",
+  return {"fidelity",
+          formatChoices(wordList<Reading>()) + ", or one word for each erratum: `fidelity.E14 = \"literal\"`",
           "The dissertation's formulae with their errata corrected, or as printed (docs/reference/dissertation.md).",
           [](Scene& scene, const Entry& entry) { readFidelity(scene.fidelity, entry); }, showFidelity};
 }

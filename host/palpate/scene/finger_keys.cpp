@@ -33,16 +33,16 @@ std::vector<Key<Step>> stepKeys(Move move) {
   return keys;
 }
 
-Move moveOf(const TomlNode& table, const Entry& entry) {
+Move readMove(const TomlNode& table, const Entry& entry) {
   const TomlNode* word = table.get("do");
-  if (word == nullptr) entry.fail(fmt::format("needs do = {}", choiceWords(wordList<Move>())));
+  if (word == nullptr) entry.fail(fmt::format("needs do = {}", formatChoices(wordList<Move>())));
   return readChoice<Move>({*word, entry.file, entry.name + " do"});
 }
 
 Step readStep(const Entry& entry) {
   const TomlNode& table = tableOf(entry);
   Step step;
-  const Move move = moveOf(table, entry);
+  const Move move = readMove(table, entry);
   const std::string title = fmt::format("{} {}", entry.name, wordFor(move));
   readTable(table, title, entry.file, stepKeys(move), step);
   return step;

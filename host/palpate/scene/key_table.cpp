@@ -7,7 +7,7 @@ namespace palpate::scene {
 
 namespace {
 
-std::string typeWords(const TomlNode& node) {
+std::string describeType(const TomlNode& node) {
   switch (node.kind()) {
     case TomlNode::Kind::text:
       return "a text";
@@ -27,7 +27,7 @@ std::string typeWords(const TomlNode& node) {
 }
 
 [[noreturn]] void failType(const Entry& entry, std::string_view expected) {
-  entry.fail(fmt::format("must be {}, not {}", expected, typeWords(entry.node)));
+  entry.fail(fmt::format("must be {}, not {}", expected, describeType(entry.node)));
 }
 
 double finiteNumber(const Entry& entry, const TomlNode& node, const Range& range) {
@@ -50,7 +50,7 @@ std::string rangeSuffix(const Range& range) {
   return words.empty() ? words : ", " + words;
 }
 
-std::string choiceWords(const std::vector<std::string>& choices) {
+std::string formatChoices(const std::vector<std::string>& choices) {
   std::string words;
   for (const std::string& choice : choices) words += fmt::format("{}\"{}\"", words.empty() ? "" : " or ", choice);
   return words;
@@ -101,7 +101,7 @@ std::string readWord(const Entry& entry, const std::vector<std::string>& choices
   if (std::find(choices.begin(), choices.end(), word) != choices.end()) return word;
   const std::string nearest = nearestName(word, choices);
   const std::string hint = nearest.empty() ? nearest : fmt::format("; did you mean \"{}\"?", nearest);
-  entry.fail(fmt::format("must be {}, not \"{}\"{}", choiceWords(choices), oneLine(word), hint));
+  entry.fail(fmt::format("must be {}, not \"{}\"{}", formatChoices(choices), oneLine(word), hint));
 }
 
 std::string inQuotes(std::string_view text) {

@@ -88,7 +88,7 @@ std::vector<Key<S>> lumpKeys() {
 }
 
 /// Two keys of which one takes the place of the other.
-void requireOneOf(const TomlNode& table, const Entry& entry, const char* one, const char* other) {
+void requireAtMostOne(const TomlNode& table, const Entry& entry, const char* one, const char* other) {
   const TomlNode* first = table.get(one);
   const TomlNode* second = table.get(other);
   if (first == nullptr || second == nullptr) return;
@@ -103,8 +103,8 @@ Section lumpSection() {
     S lump;
     lump.scene_file = entry.file;
     lump.line = entry.line();
-    requireOneOf(table, entry, "stiffness_ratio", "young_kpa");
-    requireOneOf(table, entry, "diameter_mm", "half_axes_mm");
+    requireAtMostOne(table, entry, "stiffness_ratio", "young_kpa");
+    requireAtMostOne(table, entry, "diameter_mm", "half_axes_mm");
     readTable(table, entry.name, entry.file, lumpKeys(), lump);
     if (const TomlNode* depth = table.get("depth_mm")) lump.depth_line = depth->line();
     return lump;

@@ -63,7 +63,7 @@ std::optional<std::vector<SolvedPush>> findLump(std::uint64_t name) {
 }
 
 /// A folder that cannot be written costs the time of solving again, but the world is built.
-void keepLump(std::uint64_t name, std::span<const SolvedPush> pushes) {
+void saveLump(std::uint64_t name, std::span<const SolvedPush> pushes) {
   const std::filesystem::path file = lumpFile(name);
   if (file.empty()) return;
   std::string text(kLumpFileHead);
@@ -77,7 +77,7 @@ void keepLump(std::uint64_t name, std::span<const SolvedPush> pushes) {
 }
 
 [[maybe_unused]] const bool kInstalled = [] {
-  setLumpStore({findLump, keepLump});
+  setLumpStore({findLump, saveLump});
   return true;
 }();
 

@@ -37,7 +37,7 @@ constexpr std::array<Preset, 20> kPresets{{
 }};
 // clang-format on
 
-Scene sceneOf(std::string_view file) {
+Scene parsePreset(std::string_view file) {
   Scene scene = parse(presetText(file), std::string(file) + ".toml");
   scene.file.clear();
   return scene;
@@ -61,7 +61,7 @@ const Preset& presetNamed(std::string_view name) {
 
 Scene presetScene(std::string_view name) {
   const Preset& preset = presetNamed(name);
-  Scene scene = sceneOf(preset.file);
+  Scene scene = parsePreset(preset.file);
   if (preset.as_printed) {
     scene.fidelity.setAll(true);
     scene.title += ", as printed";
@@ -69,6 +69,6 @@ Scene presetScene(std::string_view name) {
   return scene;
 }
 
-Scene standardScene() { return sceneOf("default"); }
+Scene standardScene() { return parsePreset("default"); }
 
 }  // namespace palpate::scene

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::string_view kHere = "value";
 
-const Section* sectionOf(std::string_view table) {
+const Section* findSection(std::string_view table) {
   for (const Section& section : sections()) {
     if (section.name == table && !section.title.starts_with("[[")) return &section;
   }
   return nullptr;
 }
 
-const Key<Scene>* topKeyOf(std::string_view name) {
+const Key<Scene>* findTopKey(std::string_view name) {
   const auto found =
       std::find_if(topKeys().begin(), topKeys().end(), [&](const auto& key) { return key.name == name; });
   return found == topKeys().end() ? nullptr : &*found;
@@ -69,12 +69,12 @@ std::vector<Difference> differences(const Scene& was, const Scene& is) {
 
 std::optional<KeyRow> keyOf(const Scene& scene, std::string_view table, std::string_view key) {
   if (table.empty()) return rowNamed(topRows(scene), key);
-  const Section* section = sectionOf(table);
+  const Section* section = findSection(table);
   return section == nullptr ? std::nullopt : rowNamed(section->values(scene).front(), key);
 }
 
 std::vector<KeyRow> keysOf(const Scene& scene, std::string_view table) {
-  const Section* section = sectionOf(table);
+  const Section* section = findSection(table);
   return section == nullptr ? std::vector<KeyRow>{} : section->values(scene).front();
 }
 
@@ -86,12 +86,12 @@ std::string defaultOf(std::string_view table, std::string_view key) {
 void setKey(Scene& scene, std::string_view table, std::string_view key, std::string_view value) {
   Scene changed = scene;
   if (table.empty()) {
-    const Key<Scene>* top = topKeyOf(key);
+    const Key<Scene>* top = findTopKey(key);
     if (top == nullptr) throw Error(fmt::format("there is no key '{}'", key));
     const TomlNode root = parsed(fmt::format("{} = {}", key, value));
     top->read(changed, {*root.get(key), kHere, top->name});
   } else {
-    const Section* section = sectionOf(table);
+    const Section* section = findSection(table);
     if (section == nullptr) throw Error(fmt::format("there is no table [{}]", table));
     const TomlNode root = parsed(fmt::format("[{}]\n{} = {}", table, key, value));
     section->read(changed, {*root.get(table), kHere, section->title});

@@ -59,7 +59,7 @@ class Places {
 };
 
 /// Last line of anything in it; a table's own place is its header's.
-std::size_t lastLineOf(const TomlNode& table) {
+std::size_t findLastLine(const TomlNode& table) {
   std::size_t last = table.end().line;
   for (const auto& [key, place, node] : table.entries()) {
     if (node.isTable() && !node.isInline()) throw NotPatched{};
@@ -68,7 +68,7 @@ std::size_t lastLineOf(const TomlNode& table) {
   return last;
 }
 
-std::vector<std::string> valuesOf(const Rows& rows) {
+std::vector<std::string> fallbackValues(const Rows& rows) {
   std::vector<std::string> values;
   for (const KeyRow& row : rows) values.push_back(row.fallback);
   return values;
@@ -82,8 +82,8 @@ std::vector<int> partners(const std::vector<Rows>& was, const std::vector<Rows>&
   if (n * m > 250'000) throw NotPatched{};
   std::vector<std::vector<std::string>> before;
   std::vector<std::vector<std::string>> now;
-  for (const Rows& rows : was) before.push_back(valuesOf(rows));
-  for (const Rows& rows : is) now.push_back(valuesOf(rows));
+  for (const Rows& rows : was) before.push_back(fallbackValues(rows));
+  for (const Rows& rows : is) now.push_back(fallbackValues(rows));
   std::vector<std::vector<std::size_t>> common(n + 1, std::vector<std::size_t>(m + 1, 0));
   for (std::size_t i = n; i-- > 0;) {
     for (std::size_t j = m; j-- > 0;) {
@@ -114,7 +114,7 @@ class Patch {
       if (const TomlNode* node = root.get(is[i].key)) {
         changeValue(root, *node, is[i]);
       } else {
-        insert(topEnd(root), lineOf(is[i]));
+        insert(topEnd(root), formatRow(is[i]));
       }
     }
   }
@@ -127,20 +127,20 @@ class Patch {
       if (node != nullptr) {
         changeValue(*table, *node, is[i]);
       } else {
-        added += lineOf(is[i]);
+        added += formatRow(is[i]);
       }
     }
     if (added.empty()) return;
     if (table == nullptr) return insert(text_.size(), "\n" + title + "\n" + added);
     if (table->isInline()) throw NotPatched{};
-    insert(places_.lineEnd(lastLineOf(*table)), added);
+    insert(places_.lineEnd(findLastLine(*table)), added);
   }
 
   void changeList(const TomlList* list, const Section& section, const std::vector<Rows>& was,
                   const std::vector<Rows>& is) {
     const std::vector<int> partner = partners(was, is);
     std::size_t end = text_.size();  // place of the next new table
-    if (list != nullptr && !list->empty()) end = headerOf(tableAt(*list, 0));
+    if (list != nullptr && !list->empty()) end = headerStart(tableAt(*list, 0));
     std::vector<bool> stays(was.size(), false);
     for (std::size_t j = 0; j < is.size(); ++j) {
       if (partner[j] < 0) {
@@ -152,7 +152,7 @@ class Patch {
       stays[i] = true;
       const TomlNode& table = tableAt(*list, i);
       changeTable(&table, section.title, was[i], is[j]);
-      end = places_.lineEnd(lastLineOf(table));
+      end = places_.lineEnd(findLastLine(table));
     }
     for (std::size_t i = 0; i < was.size(); ++i) {
       if (!stays[i]) removeTable(tableAt(*list, i));
@@ -180,10 +180,10 @@ class Patch {
     return list[i];
   }
 
-  std::string lineOf(const KeyRow& row) const {
+  std::string formatRow(const KeyRow& row) const {
     return row.fallback.empty() ? std::string() : row.key + " = " + valueIn(folder_, row) + "\n";
   }
-  std::size_t headerOf(const TomlNode& table) const { return places_.lineStart(table.line()); }
+  std::size_t headerStart(const TomlNode& table) const { return places_.lineStart(table.line()); }
 
   void insert(std::size_t at, const std::string& words) { changes_[{at, at}] += words; }
   void replace(std::size_t from, std::size_t to, std::string words) { changes_[{from, to}] = std::move(words); }

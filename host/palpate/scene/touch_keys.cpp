@@ -31,7 +31,7 @@ Key<contact::FingerSettings> skinKey() {
   };
   return {
       .name = "skin",
-      .takes = choiceWords(frictionNames()),
+      .takes = formatChoices(frictionNames()),
       .meaning =
           "Both coefficients by what is on the skin: dry is 0.46 and 0.44, oiled 0.2 and 0.2 "
           "(docs/reference/tissue-tables.md has the sources); where static or dynamic is written too, that one counts.",

@@ -19,7 +19,7 @@ Key<V> overlayList(std::string name, std::vector<Overlay> V::*member, std::strin
     for (const Overlay overlay : s.*member) quoted.push_back(fmt::format("\"{}\"", wordFor(overlay)));
     return quoted.empty() ? std::string() : fmt::format("[{}]", fmt::join(quoted, ", "));
   };
-  return {std::move(name), "list of " + choiceWords(wordList<Overlay>()), std::move(meaning), read, show};
+  return {std::move(name), "list of " + formatChoices(wordList<Overlay>()), std::move(meaning), read, show};
 }
 
 constexpr double kFarthestMm = 1e5;

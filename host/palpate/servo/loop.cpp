@@ -64,7 +64,7 @@ void measuredTick(Rig& rig, std::uint64_t tick, LoopEvent event, TickSamples& sa
   ++meter.report.ticks;
 }
 
-LoopEvent eventOf(const Pacer::Wake& wake, const PacedSettings& settings, Meter& meter) {
+LoopEvent recordWake(const Pacer::Wake& wake, const PacedSettings& settings, Meter& meter) {
   meter.lateness.add(wake.late_ns);
   meter.recent.lateness.add(wake.late_ns);
   if (static_cast<double>(wake.late_ns) <= settings.watchdog_s * 1e9) return LoopEvent::none;
@@ -121,7 +121,7 @@ LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings
     const std::uint64_t tick = std::min(wake.tick, ticks - 1);
     meter.report.overruns += tick - next;  // deadlines past the end of the run do not count
     if (settings.before_tick) settings.before_tick(rig);
-    measuredTick(rig, tick, eventOf(wake, settings, meter), samples, meter);
+    measuredTick(rig, tick, recordWake(wake, settings, meter), samples, meter);
     handOver(samples, links);
     publishVitals(meter, links);
     next = tick + 1;

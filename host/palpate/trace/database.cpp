@@ -18,8 +18,8 @@ namespace palpate::trace {
 
 namespace {
 
-/// A recording loses nothing on a disk that stands still for 2 s; less than twice that would end it on a machine that is
-/// busy as well.
+/// A recording loses nothing on a disk that stands still for 2 s; less than twice that would end it on a machine that
+/// is busy as well.
 constexpr std::chrono::milliseconds kMaxWait{5000};
 
 constexpr const char* kInMemory = ":memory:";
@@ -56,7 +56,7 @@ constexpr std::array<Switch, 6> kSwitches = {{{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0
 
 thread_local const ReadingWatch* reading_watch = nullptr;
 
-int flagsOf(Database::Mode mode) {
+int openFlags(Database::Mode mode) {
   switch (mode) {
     case Database::Mode::read:
       return SQLITE_OPEN_READONLY;
@@ -200,7 +200,7 @@ Database::Database(const std::filesystem::path& file, Mode mode, const std::file
   if (mode == Mode::create && !in_memory) createPrivateFile(file);
   sqlite3* database = nullptr;
   const int result = ::sqlite3_open_v2(file.string().c_str(), &database,
-                                       flagsOf(mode) | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW, nullptr);
+                                       openFlags(mode) | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW, nullptr);
   database_.reset(database);
   if (result != SQLITE_OK) fail("cannot be opened");
   setMaxWait(kMaxWait);

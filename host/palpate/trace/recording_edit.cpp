@@ -23,7 +23,7 @@ double secondsAt(std::uint64_t tick, const RecordingFacts& facts) {
   return static_cast<double>(tick) / facts.header.ticks_per_s;
 }
 
-std::uint32_t firstWorldOf(const RecordingReader& recording) {
+std::uint32_t firstWorldNumber(const RecordingReader& recording) {
   return static_cast<std::uint32_t>(recording.facts().first_world);
 }
 
@@ -36,7 +36,7 @@ class Copy {
     addEvents();
     recording_.forEachTick(settings_.span, [&](std::span<const Sample> samples) {
       for (const Sample& sample : samples) add(sample);
-      if (copied_.samples % kSamplesPerReport < samples.size()) tellProgress(progress);
+      if (copied_.samples % kSamplesPerReport < samples.size()) reportProgress(progress);
       return true;
     });
     addAttachments();
@@ -46,7 +46,7 @@ class Copy {
  private:
   std::uint64_t later(std::uint64_t tick) const { return tick + static_cast<std::uint64_t>(settings_.later_ticks); }
 
-  void tellProgress(const Progress& progress) const {
+  void reportProgress(const Progress& progress) const {
     const auto all = static_cast<double>(std::max<std::uint64_t>(1, recording_.facts().samples));
     report(progress, "copying", static_cast<double>(copied_.samples) / all);
   }
@@ -72,7 +72,7 @@ class Copy {
 
   void add(Sample sample) {
     sample.tick = later(sample.tick);
-    sample.world = worldOf(sample.world);
+    sample.world = copyWorld(sample.world);
     if (!begun_[sample.finger]) sample.forgot |= settings_.forgets;
     begun_[sample.finger] = true;
     if (copied_.samples == 0) copied_.first_tick = sample.tick;
@@ -81,10 +81,10 @@ class Copy {
     writer_.add(sample);
   }
 
-  std::uint32_t worldOf(std::uint32_t number) {
+  std::uint32_t copyWorld(std::uint32_t number) {
     const auto known = worlds_.find(number);
     if (known != worlds_.end()) return known->second;
-    if (settings_.has_worlds) return settings_.first_world + (number - firstWorldOf(recording_));
+    if (settings_.has_worlds) return settings_.first_world + (number - firstWorldNumber(recording_));
     RecordingWorld world = recording_.world(number);
     if (settings_.change_world) settings_.change_world(world);
     writer_.add(world);
@@ -152,7 +152,7 @@ class BeginningSearch {
   std::optional<Beginning> exact_;
 };
 
-Beginning beginningOf(RecordingReader& recording, const TrimSettings& settings) {
+Beginning findBeginning(RecordingReader& recording, const TrimSettings& settings) {
   const std::uint64_t first = recording.facts().first_tick;
   if (settings.span.from <= first) return {first, {}};
   BeginningSearch search(recording.facts(), settings.span.from);
@@ -179,7 +179,7 @@ std::string added(const std::string& notes, const std::string& more) {
 
 // --- one after another ---
 
-std::string namesOf(const RecordingFacts& facts) {
+std::string joinFingerNames(const RecordingFacts& facts) {
   std::string names;
   for (const RecordingFinger& finger : facts.fingers) names += (names.empty() ? "" : ", ") + finger.name;
   return names;
@@ -190,9 +190,9 @@ void requireSameFingers(const RecordingFacts& first, const RecordingFacts& next,
     throw Error::inFile(file.string(), fmt::format("has {} ticks a second, the first recording {}",
                                                    next.header.ticks_per_s, first.header.ticks_per_s));
   }
-  if (namesOf(next) != namesOf(first) || next.fingers.size() != first.fingers.size()) {
-    throw Error::inFile(file.string(),
-                        fmt::format("is of the fingers {}, the first recording of {}", namesOf(next), namesOf(first)));
+  if (joinFingerNames(next) != joinFingerNames(first) || next.fingers.size() != first.fingers.size()) {
+    throw Error::inFile(file.string(), fmt::format("is of the fingers {}, the first recording of {}",
+                                                   joinFingerNames(next), joinFingerNames(first)));
   }
 }
 
@@ -227,7 +227,7 @@ class Chain {
   /// Before any tick: what all depends on stands at the beginning of the file, where a cut does not reach it.
   void addWorlds(RecordingReader& recording) {
     first_worlds_.push_back(worlds_);
-    const std::uint64_t first = firstWorldOf(recording);
+    const std::uint64_t first = firstWorldNumber(recording);
     for (std::uint64_t i = 0; i < recording.facts().worlds; ++i) writer_.add(recording.world(first + i));
     worlds_ += static_cast<std::uint32_t>(recording.facts().worlds);
   }
@@ -311,7 +311,7 @@ Trimmed trim(RecordingReader& recording, const TrimSettings& settings, const std
              const Progress& progress) {
   const RecordingFacts& facts = recording.facts();
   requireTicks(recording, settings.span);
-  const Beginning begin = beginningOf(recording, settings);
+  const Beginning begin = findBeginning(recording, settings);
   RecordingHeader header = facts.header;
   const bool is_whole = begin.tick <= facts.first_tick && settings.span.to >= facts.last_tick;
   if (!is_whole) {
@@ -337,7 +337,7 @@ Trimmed trim(RecordingReader& recording, const TrimSettings& settings, const std
   result.copied = copyInto(writer, recording, copy, progress);
   if (is_whole) writer.setDropped(facts.dropped);
   writer.finish(facts.ended_by.empty() ? "cut" : facts.ended_by, facts.ended_utc);
-  whole.keep();
+  whole.commit();
   return result;
 }
 
@@ -371,7 +371,7 @@ Joined join(const std::vector<std::filesystem::path>& files, const std::filesyst
   }
   if (chain.joined().samples == 0) throw Error("none of the recordings holds a tick");
   writer.finish(ended_by.empty() ? "joined" : ended_by, ended_utc);
-  whole.keep();
+  whole.commit();
   return chain.joined();
 }
 

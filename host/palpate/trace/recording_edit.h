@@ -56,7 +56,7 @@ class WholeOrNothing {
   WholeOrNothing(const WholeOrNothing&) = delete;
   WholeOrNothing& operator=(const WholeOrNothing&) = delete;
   void watch(const RecordingWriter& writer) { partial_ = writer.partial(); }
-  void keep() { partial_.clear(); }
+  void commit() { partial_.clear(); }
 
  private:
   std::filesystem::path partial_;

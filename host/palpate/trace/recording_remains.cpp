@@ -52,7 +52,7 @@ std::string textOf(const RawValue& value) {
   return text;
 }
 
-std::uint64_t countOf(const RawValue& value) {
+std::uint64_t toCount(const RawValue& value) {
   return static_cast<std::uint64_t>(std::max<std::int64_t>(0, value.integer));
 }
 
@@ -96,10 +96,10 @@ class Sorter {
     if (!row.whole) return;
     if (isLike(v, "iiii", true)) {  // blocks_by_tick: first_tick, part, rows, id
       BlockRemains& block = remains_.blocks[v[3].integer];
-      if (block.is_known || countOf(v[2]) == 0 || countOf(v[2]) > kMaxBlockRows) return;
+      if (block.is_known || toCount(v[2]) == 0 || toCount(v[2]) > kMaxBlockRows) return;
       block.part = v[1].integer;
-      block.first_tick = countOf(v[0]);
-      block.rows = countOf(v[2]);
+      block.first_tick = toCount(v[0]);
+      block.rows = toCount(v[2]);
       block.last_tick = block.first_tick + block.rows - 1;
       block.is_known = true;
     } else if (isLike(v, "iii", true) && v[1].integer >= 0 && v[1].integer < kMaxFingers) {
@@ -128,9 +128,9 @@ class Sorter {
     if (row.whole) block.places.push_back(row.place);
     block.part = v[1].integer;
     block.finger = static_cast<std::uint32_t>(v[2].integer);
-    block.first_tick = countOf(v[3]);
-    block.last_tick = countOf(v[4]);
-    block.rows = countOf(v[5]);
+    block.first_tick = toCount(v[3]);
+    block.last_tick = toCount(v[4]);
+    block.rows = toCount(v[5]);
     block.is_known = true;
   }
 
@@ -150,7 +150,7 @@ class Sorter {
     facts.header.machine = textOf(v[5]);
     const double rate = v[6].number();
     if (std::isfinite(rate) && rate >= 1e-3 && rate <= 1e6) facts.header.ticks_per_s = rate;
-    facts.dropped = countOf(v[7]);
+    facts.dropped = toCount(v[7]);
     facts.header.notes = textOf(v[8]);
     facts.header.tags = textOf(v[9]);
     remains_.facts = facts;
@@ -159,7 +159,7 @@ class Sorter {
   void addWorld(const RawRow& row) {
     if (row.id >= kMaxWorlds) return;
     const Values& v = row.values;
-    RecordingWorld world{sceneOfVersion(version_, textOf(v[1])), textOf(v[2]), textOf(v[3]), countOf(v[4]), 0, {}};
+    RecordingWorld world{sceneOfVersion(version_, textOf(v[1])), textOf(v[2]), textOf(v[3]), toCount(v[4]), 0, {}};
     const std::string& hash = v[5].bytes;
     std::from_chars(hash.data(), hash.data() + hash.size(), world.hash, 16);
     remains_.worlds[row.id] = world;
@@ -167,7 +167,7 @@ class Sorter {
 
   void addEvent(const RawRow& row) {
     const Values& v = row.values;
-    RecordingEvent event{countOf(v[1]), std::nullopt, textOf(v[3]), textOf(v[4])};
+    RecordingEvent event{toCount(v[1]), std::nullopt, textOf(v[3]), textOf(v[4])};
     if (v[2].isInteger() && v[2].integer >= 0 && v[2].integer < kMaxFingers) {
       event.finger = static_cast<std::uint32_t>(v[2].integer);
     }
@@ -201,13 +201,13 @@ class Sorter {
 RecordingRemains remainsIn(SqlitePages& pages, const Progress& progress) {
   RecordingRemains remains;
   Sorter sorter(remains, pages.version() != 0 ? pages.version() : kRecordingVersion);
-  const auto tell = [&](const RawRow& row) {
+  const auto report_progress = [&](const RawRow& row) {
     report(progress, "searching",
            static_cast<double>(row.place.page) / std::max(1.0, static_cast<double>(pages.pages())));
   };
   pages.forEachRow(
       [&](const RawRow& row) {
-        tell(row);
+        report_progress(row);
         sorter.addRow(row);
       },
       [&](const RawRow& row) { sorter.addEntry(row); });
@@ -218,7 +218,7 @@ RecordingRemains remainsIn(SqlitePages& pages, const Progress& progress) {
 RecordingAttachment attachmentOf(const RawRow& row) {
   if (!row.whole || !isLike(row.values, "nitttb", true)) throw Error("is not whole");
   const Values& v = row.values;
-  return {countOf(v[1]), textOf(v[2]), textOf(v[3]), textOf(v[4]), v[5].bytes};
+  return {toCount(v[1]), textOf(v[2]), textOf(v[3]), textOf(v[4]), v[5].bytes};
 }
 
 std::vector<Sample> samplesOf(const RawRow& row, std::span<const SampleColumn> columns) {

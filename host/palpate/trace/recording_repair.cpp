@@ -105,7 +105,7 @@ class Repair {
     addSamples(writer);
     writer.setDropped(facts.dropped);
     writer.finish(facts.ended_by.empty() ? "not finished, repaired" : facts.ended_by, facts.ended_utc);
-    whole.keep();
+    whole.commit();
     return std::move(result_);
   }
 

@@ -28,7 +28,7 @@ Database databaseWithTables(const std::filesystem::path& file, const std::filesy
 
 /// Afterwards the file says all by itself. Somebody who reads it meanwhile keeps SQLite from changing its mode, not
 /// from completing it. Throws Error where even that cannot be.
-void takeInLog(Database& database) {
+void mergeWriteAheadLog(Database& database) {
   try {
     database.run("PRAGMA journal_mode = DELETE");
   } catch (const Error&) {
@@ -172,7 +172,7 @@ void RecordingWriter::flush() {
   about.samples = written;
   if (written > 0) written_.push_back(about);
   ++part_;
-  file_.keepUnfinished();
+  file_.retainUnfinished();
 }
 
 void RecordingWriter::add(const RecordingAttachment& attachment) {
@@ -221,7 +221,7 @@ void RecordingWriter::finish(std::string_view ended_by, std::string_view ended_u
   flush();
   const std::string ended = ended_utc.empty() ? utcNow() : std::string(ended_utc);
   Statement(impl_->database, "UPDATE session SET ended_utc = ?1, ended_by = ?2").with(ended).with(ended_by).run();
-  takeInLog(impl_->database);
+  mergeWriteAheadLog(impl_->database);
   impl_.reset();
   file_.commit();
   removeCompanions(file_.partial());

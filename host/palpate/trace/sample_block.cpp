@@ -132,7 +132,7 @@ std::size_t rowBytes(std::span<const SampleColumn> columns) {
   return bytes;
 }
 
-std::uint32_t checksumOf(std::string_view bytes) {
+std::uint32_t computeChecksum(std::string_view bytes) {
   return static_cast<std::uint32_t>(
       ::crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
 }
@@ -191,7 +191,7 @@ SampleBlock packSamples(std::span<const Sample> samples) {
     throw Error("no memory to pack a block");
   }
   block.bytes.resize(length);
-  block.crc32 = checksumOf(block.bytes);
+  block.crc32 = computeChecksum(block.bytes);
   return block;
 }
 
@@ -210,7 +210,7 @@ SampleColumn columnOf(std::string_view name, std::string_view type) {
 std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, std::size_t rows, std::uint32_t finger,
                                   std::span<const SampleColumn> columns) {
   if (rows == 0 || rows > kMaxBlockRows) throw Error(fmt::format("a block of {} rows", rows));
-  if (checksumOf(bytes) != crc32) throw Error("block checksum mismatch");
+  if (computeChecksum(bytes) != crc32) throw Error("block checksum mismatch");
   const std::string raw = inflated(bytes, rowBytes(columns) * rows);
   std::vector<Sample> samples(rows);
   const char* plane = raw.data();

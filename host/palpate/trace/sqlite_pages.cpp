@@ -57,7 +57,7 @@ std::size_t integerWidth(std::uint64_t type) {
   return kWidths[type];
 }
 
-std::optional<std::size_t> widthOf(std::uint64_t type) {
+std::optional<std::size_t> serialTypeSize(std::uint64_t type) {
   if (type <= 6) return integerWidth(type);
   if (type == 7) return 8;
   if (type <= 9) return 0;
@@ -95,7 +95,7 @@ bool readRecord(std::string_view bytes, std::uint64_t size, RawRow& row) {
   while (at < types.size()) {
     const auto type = varint(types, at);
     if (!type || row.values.size() >= kMaxValues) return false;
-    const auto width = widthOf(*type);
+    const auto width = serialTypeSize(*type);
     if (!width || *width > size || place + *width > size) return false;
     if (place + *width > bytes.size()) row.whole = false;
     if (row.whole) row.values.push_back(valueOf(*type, bytes.substr(place, *width)));

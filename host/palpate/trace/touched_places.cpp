@@ -22,7 +22,7 @@ constexpr double kPieceShare = 0.25;
 constexpr std::size_t kMaxPieces = 200'000;
 constexpr int kMaxCuts = 8;
 
-std::int64_t cellOf(double mm, double cell_mm) { return static_cast<std::int64_t>(std::floor(mm / cell_mm)); }
+std::int64_t cellIndex(double mm, double cell_mm) { return static_cast<std::int64_t>(std::floor(mm / cell_mm)); }
 
 double longestSide(const mesh::TriangleMesh& mesh, const Triangle& t) {
   double longest = 0.0;
@@ -32,7 +32,7 @@ double longestSide(const mesh::TriangleMesh& mesh, const Triangle& t) {
   return longest;
 }
 
-Vec3 areaVector2Of(const mesh::TriangleMesh& mesh, const Triangle& t) {
+Vec3 triangleAreaVector2(const mesh::TriangleMesh& mesh, const Triangle& t) {
   return mesh::areaVector2(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
 }
 
@@ -56,13 +56,13 @@ Reached reachedBy(const mesh::TriangleMesh& skin, std::span<const TouchedPlace> 
       reached.triangles[triangle] = true;
       if (closest.squared_distance < nearest) {
         nearest = closest.squared_distance;
-        normal = areaVector2Of(skin, skin.triangles[triangle]);
+        normal = triangleAreaVector2(skin, skin.triangles[triangle]);
       }
       return reach * reach;
     });
     // The triangle that was felt knows its side best, also where two sheets lie close together.
     if (!normal.isZero(0.0) && place.triangle < skin.triangles.size()) {
-      normal = areaVector2Of(skin, skin.triangles[place.triangle]);
+      normal = triangleAreaVector2(skin, skin.triangles[place.triangle]);
     }
     reached.normals.push_back(normal);
   }
@@ -70,7 +70,7 @@ Reached reachedBy(const mesh::TriangleMesh& skin, std::span<const TouchedPlace> 
 }
 
 /// Into how many strips each side of a triangle is cut so that none is longer.
-int stripsOf(double side_mm, double longest_mm) {
+int countStrips(double side_mm, double longest_mm) {
   return std::clamp(static_cast<int>(std::ceil(side_mm / longest_mm)), 1, 1 << kMaxCuts);
 }
 
@@ -100,7 +100,7 @@ mesh::TriangleMesh cutSkin(const mesh::TriangleMesh& skin, const std::vector<boo
   for (;; longest_mm *= 1.5) {
     pieces = 0.0;
     for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
-      if (reached[t]) pieces += elementary::square(stripsOf(longestSide(skin, skin.triangles[t]), longest_mm));
+      if (reached[t]) pieces += elementary::square(countStrips(longestSide(skin, skin.triangles[t]), longest_mm));
     }
     const auto reached_triangles = static_cast<double>(std::count(reached.begin(), reached.end(), true));
     if (pieces <= std::max(static_cast<double>(kMaxPieces), reached_triangles)) break;
@@ -109,7 +109,7 @@ mesh::TriangleMesh cutSkin(const mesh::TriangleMesh& skin, const std::vector<boo
   for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
     if (!reached[t]) continue;
     const Triangle& triangle = skin.triangles[t];
-    addPieces(skin, triangle, stripsOf(longestSide(skin, triangle), longest_mm), cut);
+    addPieces(skin, triangle, countStrips(longestSide(skin, triangle), longest_mm), cut);
   }
   const auto first = static_cast<Index>(cut.positions.size());
   cut.positions.insert(cut.positions.end(), skin.positions.begin(), skin.positions.end());
@@ -151,7 +151,7 @@ class CentreGrid {
     }
   };
   Cell cellAt(const Vec3& place) const {
-    return {cellOf(place.x(), cell_mm_), cellOf(place.y(), cell_mm_), cellOf(place.z(), cell_mm_)};
+    return {cellIndex(place.x(), cell_mm_), cellIndex(place.y(), cell_mm_), cellIndex(place.z(), cell_mm_)};
   }
 
   double cell_mm_;
@@ -161,7 +161,7 @@ class CentreGrid {
 
 void addAreas(TouchedSurface& surface) {
   for (std::size_t t = 0; t < surface.mesh.triangles.size(); ++t) {
-    const Vec3 normal2 = areaVector2Of(surface.mesh, surface.mesh.triangles[t]);
+    const Vec3 normal2 = triangleAreaVector2(surface.mesh, surface.mesh.triangles[t]);
     const double area = 0.5 * normal2.norm();
     const bool dorsal = normal2.z() > kDorsalNormalZ * normal2.norm();
     const bool touched = surface.ticks[t] > 0.0;
@@ -189,9 +189,9 @@ void PlaceCollector::add(const Sample& sample) {
   const Key key = {sample.world,
                    sample.finger,
                    felt.triangle,
-                   cellOf(felt.proxy.x(), kPlaceCellMm),
-                   cellOf(felt.proxy.y(), kPlaceCellMm),
-                   cellOf(felt.proxy.z(), kPlaceCellMm)};
+                   cellIndex(felt.proxy.x(), kPlaceCellMm),
+                   cellIndex(felt.proxy.y(), kPlaceCellMm),
+                   cellIndex(felt.proxy.z(), kPlaceCellMm)};
   auto found = cells_.find(key);
   if (found == cells_.end()) {
     if (cells_.size() >= kMaxPlaces) {
@@ -241,7 +241,7 @@ TouchedSurface touchedSurface(const mesh::TriangleMesh& skin, std::span<const To
     const TouchedPlace& place = places[i];
     bool found = false;
     grid.forEachNear(place.place, reach[place.finger], [&](Index piece) {
-      if (areaVector2Of(surface.mesh, surface.mesh.triangles[piece]).dot(reached.normals[i]) <= 0.0) return;
+      if (triangleAreaVector2(surface.mesh, surface.mesh.triangles[piece]).dot(reached.normals[i]) <= 0.0) return;
       surface.ticks[piece] += static_cast<double>(place.ticks);
       surface.peak_force_n[piece] = std::max(surface.peak_force_n[piece], place.peak_force_n);
       found = true;

@@ -78,7 +78,7 @@ TEST(Calibration, SaysHowBadlyThePlacesGoTogether) {
 }
 
 std::string refusal(const Places& device, const Places& body) {
-  return support::messageOf([&] { calibrationOf(device, body); });
+  return support::thrownMessage([&] { calibrationOf(device, body); });
 }
 
 TEST(Calibration, RefusesWhatDoesNotTellAPlace) {

@@ -25,7 +25,7 @@ constexpr std::array kModels = {DeviceModel::omni,        DeviceModel::touch_x, 
 
 /// Seed 0 is nominal. Others: mass +-30 %, damping 0.3 to 2 times, friction 0.5 to 1.5 times, 0.3 to 3 ticks of delay,
 /// an amplifier of up to 0.3 ms, samples up to 0.15 ticks early or late.
-SimulatedHandSettings deviceOf(DeviceModel model, std::uint64_t seed) {
+SimulatedHandSettings makeDeviceSettings(DeviceModel model, std::uint64_t seed) {
   SimulatedHandSettings settings;
   settings.device = profileOf(model);
   settings.hand = handModel(HandKind::released);
@@ -80,7 +80,7 @@ TEST_P(Identification, FindsWhatTheDeviceIs) {
   const std::uint64_t seeds = std::getenv("PALPATE_HEAVY") != nullptr ? 100 : 6;
   Errors worst;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    const SimulatedHandSettings truth = deviceOf(GetParam(), seed);
+    const SimulatedHandSettings truth = makeDeviceSettings(GetParam(), seed);
     worst.take(truth, identified(truth));
   }
   fmt::print("{:<12} mass {:.1f} %, damping {:.1f} %, friction {:.1f} %, delay {:.2f} ticks, of {} devices\n",
@@ -93,7 +93,7 @@ TEST_P(Identification, FindsWhatTheDeviceIs) {
 }
 
 TEST(Identification, FindsAPushThatIsAlwaysThere) {
-  const SimulatedHandSettings settings = deviceOf(DeviceModel::omni, 0);
+  const SimulatedHandSettings settings = makeDeviceSettings(DeviceModel::omni, 0);
   SimulatedHand device(settings);
   device.goal.push.x() = 0.1;  // less than friction: it stays where it is let go
   const DeviceIdentification found = identify(swung(device, settings.device.force_n).record());
@@ -103,7 +103,7 @@ TEST(Identification, FindsAPushThatIsAlwaysThere) {
 
 TEST(Identification, IsGentle) {
   for (const DeviceModel model : kModels) {
-    const SimulatedHandSettings settings = deviceOf(model, 0);
+    const SimulatedHandSettings settings = makeDeviceSettings(model, 0);
     SimulatedHand device(settings);
     const Swings swings = swung(device, settings.device.force_n);
     EXPECT_EQ(swings.trouble(), nullptr);
@@ -118,11 +118,11 @@ TEST(Identification, IsGentle) {
 }
 
 TEST(Identification, AHeldDeviceIsRefusedOrLooksLikeOne) {
-  SimulatedHandSettings settings = deviceOf(DeviceModel::touch_x, 0);
+  SimulatedHandSettings settings = makeDeviceSettings(DeviceModel::touch_x, 0);
   settings.hand = handModel(HandKind::stylus_x);
   SimulatedHand device(settings);
   const Swings swings = swung(device, settings.device.force_n);
-  const std::string why = support::messageOf([&] {
+  const std::string why = support::thrownMessage([&] {
     const DeviceIdentification found = identify(swings.record());
     if (found.residual_mm > 0.1 || found.mass_kg > 2.0 * settings.device.mass_kg) throw Error("looks held");
   });
@@ -150,12 +150,12 @@ TEST(Identification, TroubleIsNoForce) {
 TEST(Identification, ADeviceThatDoesNotMoveIsAnError) {
   Swings swings(planFor(0.0));
   for (std::uint64_t tick = 0; !swings.finished(); ++tick) (void)swings.tick(tick, Vec3::Zero());
-  const std::string why = support::messageOf([&] { identify(swings.record()); });
+  const std::string why = support::thrownMessage([&] { identify(swings.record()); });
   EXPECT_NE(why.find("did not swing"), std::string::npos) << why;
 }
 
 TEST(Identification, ATickThatWasMissedDoesLittle) {
-  const SimulatedHandSettings truth = deviceOf(DeviceModel::touch_x, 0);
+  const SimulatedHandSettings truth = makeDeviceSettings(DeviceModel::touch_x, 0);
   SimulatedHand device(truth);
   Swings swings(planFor(truth.device.force_n));
   Vec3 force = Vec3::Zero();
@@ -171,7 +171,7 @@ TEST(Identification, ATickThatWasMissedDoesLittle) {
 }
 
 TEST(Identification, ATickAsksForNothing) {
-  SimulatedHand device(deviceOf(DeviceModel::omega_3, 0));
+  SimulatedHand device(makeDeviceSettings(DeviceModel::omega_3, 0));
   Swings swings(planFor(12.0));
   support::expectNoAllocation([&] {
     for (std::uint64_t tick = 0; !swings.finished(); ++tick) device.writeForce(swings.tick(tick, device.readTip()));

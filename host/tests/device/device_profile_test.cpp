@@ -95,13 +95,13 @@ TEST(DeviceProfile, OfSeveralTheLeastOfEveryLimitHolds) {
 }
 
 TEST(DeviceProfile, MakersTypesAreRecognisedByTheirNames) {
-  EXPECT_EQ(openhaptics::kindOf("PHANTOM Omni"), DeviceModel::omni);
-  EXPECT_EQ(openhaptics::kindOf("Touch"), DeviceModel::touch);
-  EXPECT_EQ(openhaptics::kindOf("Touch X"), DeviceModel::touch_x);
-  EXPECT_EQ(openhaptics::kindOf("PHANTOM Premium 1.5 High Force"), DeviceModel::premium_1_5);
-  EXPECT_EQ(openhaptics::kindOf("PHANTOM Premium 3.0"), DeviceModel::premium_3_0);
-  EXPECT_EQ(openhaptics::kindOf("PHANTOM Premium 1.0"), DeviceModel::unknown);
-  EXPECT_EQ(openhaptics::kindOf("Something Else"), DeviceModel::unknown);
+  EXPECT_EQ(openhaptics::findDeviceModel("PHANTOM Omni"), DeviceModel::omni);
+  EXPECT_EQ(openhaptics::findDeviceModel("Touch"), DeviceModel::touch);
+  EXPECT_EQ(openhaptics::findDeviceModel("Touch X"), DeviceModel::touch_x);
+  EXPECT_EQ(openhaptics::findDeviceModel("PHANTOM Premium 1.5 High Force"), DeviceModel::premium_1_5);
+  EXPECT_EQ(openhaptics::findDeviceModel("PHANTOM Premium 3.0"), DeviceModel::premium_3_0);
+  EXPECT_EQ(openhaptics::findDeviceModel("PHANTOM Premium 1.0"), DeviceModel::unknown);
+  EXPECT_EQ(openhaptics::findDeviceModel("Something Else"), DeviceModel::unknown);
   EXPECT_EQ(forcedimension::profileOf(60)->kind, DeviceModel::falcon);
   EXPECT_EQ(forcedimension::profileOf(33)->kind, DeviceModel::omega_3);
 }

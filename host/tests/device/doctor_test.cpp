@@ -292,7 +292,7 @@ TEST(ForceDimension, ItsMotorsAreSwitchedOnWithoutAForce) {
 TEST(ForceDimension, WithoutADeviceSaysSo) {
   HardwareBench bench(forceDimensionHardware());
   bench.control().count = 0;
-  const std::string why = support::messageOf([&] { (void)bench.open(); });
+  const std::string why = support::thrownMessage([&] { (void)bench.open(); });
   EXPECT_TRUE(holds(why, "the library finds no device")) << why;
 }
 

@@ -50,7 +50,7 @@ TEST_F(PathOf, NeedsSkinUnderTheFinger) {
   scene::Scene beside = meshScene();
   beside.fingers[0].at_mm = Vec2(500, 0);
   const auto world = scene::build(beside);
-  EXPECT_EQ(support::messageOf([&] { pathsOf(*world); }),
+  EXPECT_EQ(support::thrownMessage([&] { pathsOf(*world); }),
             (folder_ / "s.toml").string() + ":4: finger 'a': there is no skin at at_mm = [500, 0]");
 }
 
@@ -61,7 +61,7 @@ TEST_F(PathOf, ComplaintsNameTheFingersPlaceInTheSceneFile) {
     scene::Scene with_finger = meshScene();
     with_finger.fingers = scene::parse(scene + rest, "s.toml").fingers;
     const auto world = scene::build(with_finger);
-    return support::messageOf([&] { pathsOf(*world); });
+    return support::thrownMessage([&] { pathsOf(*world); });
   };
   EXPECT_EQ(message("at_mm = [500, 0]\nscript = [{ do = \"press\" }]\n"),
             "s.toml:2: finger 'a': there is no skin at at_mm = [500, 0]");
@@ -77,7 +77,7 @@ TEST_F(PathOf, ATrajectoryOfTooManyTicksNamesItsFile) {
   scene.ticks_per_s = 2000.0;
   scene.fingers = {{"a", 0.0, folder_ / "long.csv", Vec2::Zero(), 10.0, {}}};
   const auto world = scene::build(scene);
-  EXPECT_EQ(support::messageOf([&] { pathsOf(*world); }),
+  EXPECT_EQ(support::thrownMessage([&] { pathsOf(*world); }),
             (folder_ / "long.csv").string() + ": a trajectory of 80,000,000 ticks is too long: at most 50,000,000");
 }
 

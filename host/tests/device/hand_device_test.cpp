@@ -29,7 +29,7 @@ TEST(HandDevice, IsNamedByAHandAndADevice) {
   EXPECT_EQ(handChoice("stylus_z,falcon").device, DeviceModel::falcon);
   EXPECT_EQ(handChoice("omega_3,arm").hand, HandKind::arm);
   EXPECT_EQ(handChoice("thimble").hand, HandKind::thimble);
-  const std::string why = support::messageOf([] { handChoice("stylus_q,touch_x"); });
+  const std::string why = support::thrownMessage([] { handChoice("stylus_q,touch_x"); });
   EXPECT_NE(why.find("did you mean 'stylus_"), std::string::npos) << why;
   EXPECT_THROW(handChoice("unknown"), Error) << "a device of which nothing is known has no mechanics";
 }

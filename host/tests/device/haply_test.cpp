@@ -175,7 +175,7 @@ TEST_F(Haply, RefusesSettingsThatAreNone) {
 TEST_F(Haply, CallsAForceAsTheVersionOfTheServiceDoes) {
   using haply::ForceKey;
   const auto key = [](const char* version, bool old_port = false) {
-    return haply::forceKeyOf(ForceKey::automatic, haply::parseVersion(version), old_port);
+    return haply::chooseForceKey(ForceKey::automatic, haply::parseVersion(version), old_port);
   };
   EXPECT_EQ(key(R"({"project_version":"3.5.0.0"})"), ForceKey::vector);
   EXPECT_EQ(key(R"({"project_version":"3.12.1"})"), ForceKey::vector);
@@ -183,7 +183,7 @@ TEST_F(Haply, CallsAForceAsTheVersionOfTheServiceDoes) {
   EXPECT_EQ(key(R"({"project_version":"3.0.0.0"})"), ForceKey::values);
   EXPECT_EQ(key("nobody answers"), ForceKey::vector);
   EXPECT_EQ(key("nobody answers", true), ForceKey::values);
-  EXPECT_EQ(haply::forceKeyOf(ForceKey::values, haply::parseVersion(R"({"project_version":"3.5"})"), false),
+  EXPECT_EQ(haply::chooseForceKey(ForceKey::values, haply::parseVersion(R"({"project_version":"3.5"})"), false),
             ForceKey::values);
 }
 

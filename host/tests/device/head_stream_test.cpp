@@ -60,7 +60,7 @@ int freePort() {
 }
 
 TEST(HeadStream, CentimetresOfTheMessageAreMillimetres) {
-  const auto place = headPlaceOf(bytesOf({1.5, -2.0, 10.0, 30.0, 0.0, 0.0}));
+  const auto place = parseHeadPlace(bytesOf({1.5, -2.0, 10.0, 30.0, 0.0, 0.0}));
   ASSERT_TRUE(place);
   EXPECT_EQ(*place, Vec3(15.0, -20.0, 100.0));
 }
@@ -68,14 +68,14 @@ TEST(HeadStream, CentimetresOfTheMessageAreMillimetres) {
 TEST(HeadStream, MessagesOfOtherLengthsAndImpossiblePlacesAreNotSeen) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  EXPECT_FALSE(headPlaceOf({}));
-  EXPECT_FALSE(headPlaceOf(std::vector<unsigned char>(47)));
-  EXPECT_FALSE(headPlaceOf(std::vector<unsigned char>(49)));
-  EXPECT_FALSE(headPlaceOf(bytesOf({kNan, 0, 0, 0, 0, 0})));
-  EXPECT_FALSE(headPlaceOf(bytesOf({0, kInfinity, 0, 0, 0, 0})));
-  EXPECT_FALSE(headPlaceOf(bytesOf({0, 0, 1e300, 0, 0, 0})));
-  EXPECT_FALSE(headPlaceOf(bytesOf({0, 0, 200.1, 0, 0, 0})));
-  EXPECT_TRUE(headPlaceOf(bytesOf({0, 0, 199.9, kNan, 0, 0}))) << "angles are not used";
+  EXPECT_FALSE(parseHeadPlace({}));
+  EXPECT_FALSE(parseHeadPlace(std::vector<unsigned char>(47)));
+  EXPECT_FALSE(parseHeadPlace(std::vector<unsigned char>(49)));
+  EXPECT_FALSE(parseHeadPlace(bytesOf({kNan, 0, 0, 0, 0, 0})));
+  EXPECT_FALSE(parseHeadPlace(bytesOf({0, kInfinity, 0, 0, 0, 0})));
+  EXPECT_FALSE(parseHeadPlace(bytesOf({0, 0, 1e300, 0, 0, 0})));
+  EXPECT_FALSE(parseHeadPlace(bytesOf({0, 0, 200.1, 0, 0, 0})));
+  EXPECT_TRUE(parseHeadPlace(bytesOf({0, 0, 199.9, kNan, 0, 0}))) << "angles are not used";
 }
 
 TEST(HeadStream, TheNewestGoodPlaceCounts) {

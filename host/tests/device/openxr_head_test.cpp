@@ -42,7 +42,7 @@ class OpenXrHeadset : public testing::Test {
   }
 
   std::string refusal() const {
-    return support::messageOf([this] { const OpenXrHead head(library_); });
+    return support::thrownMessage([this] { const OpenXrHead head(library_); });
   }
 
   const std::string library_ = doubles::libraryOf("openxr");
@@ -77,11 +77,11 @@ TEST_F(OpenXrHeadset, NothingIsAskedForBeforeTheSessionIsReady) {
 }
 
 TEST_F(OpenXrHeadset, SaysWhichPartIsMissing) {
-  const std::string no_loader = support::messageOf([] { const OpenXrHead head("/nowhere/libopenxr_loader.so.1"); });
+  const std::string no_loader = support::thrownMessage([] { const OpenXrHead head("/nowhere/libopenxr_loader.so.1"); });
   EXPECT_NE(no_loader.find("/nowhere/libopenxr_loader.so.1: cannot open"), std::string::npos) << no_loader;
   EXPECT_NE(no_loader.find("libopenxr-loader1"), std::string::npos) << no_loader;
   EXPECT_NE(no_loader.find("PALPATE_OPENXR_LOADER="), std::string::npos) << no_loader;
-  const std::string other = support::messageOf([] { const OpenXrHead head("libm.so.6"); });
+  const std::string other = support::thrownMessage([] { const OpenXrHead head("libm.so.6"); });
   EXPECT_NE(other.find("lacks xrGetInstanceProcAddr"), std::string::npos) << other;
   control_->runtime = false;
   EXPECT_NE(refusal().find("no OpenXR runtime is active (result -51)"), std::string::npos) << refusal();

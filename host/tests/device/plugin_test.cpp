@@ -112,7 +112,7 @@ TEST(Plugin, AFileMayNameOneOfTheFoldersAndNoOther) {
         std::string("plugin:here"), std::string("plugin:mass:odd"), std::string("plugin:below/deeper.so"),
         std::string("plugin:../plugins/libmass.so"), std::string("plugin:libmass.so/"),
         "plugin:" + (folder / "plugins/libmass.so").string(), "plugin:" + (folder / "here.so").string() + ":left"}) {
-    const std::string refused = support::messageOf([&] { deviceNamedInFile(words); });
+    const std::string refused = support::thrownMessage([&] { deviceNamedInFile(words); });
     EXPECT_TRUE(tells(refused, "a file may name a plugin only as it lies in a folder of PALPATE_DEVICE_PLUGINS"))
         << words << ": " << refused;
   }
@@ -120,10 +120,10 @@ TEST(Plugin, AFileMayNameOneOfTheFoldersAndNoOther) {
 }
 
 TEST(Plugin, AFileOfAPlainNameIsTheOneInThisFolder) {
-  EXPECT_EQ(plugin::wantedOf("nothing:second").file, "nothing");
-  EXPECT_EQ(plugin::wantedOf("nothing:second").which, "second");
-  EXPECT_EQ(plugin::wantedOf("/a/b.so:x:y").file, "/a/b.so:x");
-  EXPECT_EQ(plugin::wantedOf("").file, "");
+  EXPECT_EQ(plugin::parsePluginName("nothing:second").file, "nothing");
+  EXPECT_EQ(plugin::parsePluginName("nothing:second").which, "second");
+  EXPECT_EQ(plugin::parsePluginName("/a/b.so:x:y").file, "/a/b.so:x");
+  EXPECT_EQ(plugin::parsePluginName("").file, "");
 }
 
 TEST(Plugin, SaysWhyATableWillNotDo) {
@@ -226,7 +226,7 @@ palpate_device_reading goodReading() {
 }
 
 std::uint32_t faultsOf(const palpate_device_reading& reading, int answer = PALPATE_DEVICE_OK) {
-  return plugin::readingOf(answer, reading, {}, 0.001).faults;
+  return plugin::checkReading(answer, reading, {}, 0.001).faults;
 }
 
 TEST(PluginEdge, AReadingIsWorthWhatCanBeBelieved) {
@@ -241,7 +241,7 @@ TEST(PluginEdge, AReadingIsWorthWhatCanBeBelieved) {
     reading = goodReading();
     reading.velocity_mm_s[0] = bad;
     EXPECT_EQ(faultsOf(reading), 0u) << bad;
-    EXPECT_EQ(plugin::readingOf(0, reading, {}, 0.001).velocity, Vec3::Zero()) << bad;
+    EXPECT_EQ(plugin::checkReading(0, reading, {}, 0.001).velocity, Vec3::Zero()) << bad;
   }
   for (const double age : {0.0021, -1e-9, kNan, kInfinity}) {
     palpate_device_reading reading = goodReading();
@@ -255,7 +255,7 @@ TEST(PluginEdge, AReadingIsWorthWhatCanBeBelieved) {
   EXPECT_EQ(faultsOf(reading), kDriverError) << "a fault that a later version knows";
   reading.faults = 0;
   reading.notes = ~0u;
-  EXPECT_EQ(plugin::readingOf(0, reading, {}, 0.001).notes, 15u);
+  EXPECT_EQ(plugin::checkReading(0, reading, {}, 0.001).notes, 15u);
 }
 
 TEST(PluginEdge, TheReachIsThatOfTheDevicePlacedInTheBody) {
@@ -265,7 +265,7 @@ TEST(PluginEdge, TheReachIsThatOfTheDevicePlacedInTheBody) {
     able.reach_min_mm[axis] = -10.0 * static_cast<double>(axis + 1);
     able.reach_max_mm[axis] = 20.0;
   }
-  const Box3 reach = plugin::capabilitiesOf(able, {}).workspace_mm;
+  const Box3 reach = plugin::checkedCapabilities(able, {}).workspace_mm;
   EXPECT_EQ(reach.min(), Vec3(-10, -20, -30));
   EXPECT_EQ(reach.max(), Vec3(20, 20, 20));
 }
@@ -278,7 +278,7 @@ TEST(PluginEdge, CapabilitiesThatAreNoSizeAreNotSaid) {
   able.stiffness_n_per_mm = INFINITY;
   able.rate_hz = 1e30;
   able.reach_max_mm[0] = 50.0;  // a plane is no box
-  const Capabilities said = plugin::capabilitiesOf(able, {});
+  const Capabilities said = plugin::checkedCapabilities(able, {});
   EXPECT_EQ(said.max_force_n + said.continuous_force_n + said.nominal_stiffness_n_per_mm + said.rate_hz, 0.0);
   EXPECT_TRUE(said.workspace_mm.isEmpty());
   EXPECT_EQ(said.model, std::string(sizeof(able.model), 'm')) << "without its NUL";
@@ -286,10 +286,10 @@ TEST(PluginEdge, CapabilitiesThatAreNoSizeAreNotSaid) {
 
 TEST(PluginEdge, WordsAreOneLineAndEnd) {
   const char room[8] = {'a', '\n', 'b', '\0', 'c', 'd', 'e', 'f'};
-  EXPECT_FALSE(tells(plugin::wordsIn(room, sizeof(room)), "\n"));
-  EXPECT_EQ(plugin::wordsIn(room + 4, 4), "cdef");
-  EXPECT_EQ(plugin::wordsIn(nullptr, 7), "");
-  EXPECT_EQ(plugin::wordsIn(room, 0), "");
+  EXPECT_FALSE(tells(plugin::boundedText(room, sizeof(room)), "\n"));
+  EXPECT_EQ(plugin::boundedText(room + 4, 4), "cdef");
+  EXPECT_EQ(plugin::boundedText(nullptr, 7), "");
+  EXPECT_EQ(plugin::boundedText(room, 0), "");
 }
 
 // --- the example ---

@@ -57,7 +57,7 @@ std::string pose(const std::string& nonce, int number, const std::string& secret
   return signedBy(secret, "p 1 2 3 " + nonce + " " + std::to_string(number));
 }
 
-int answersOf(RemoteGate& gate, std::uint64_t first_tick, int ticks) {
+int countAnswers(RemoteGate& gate, std::uint64_t first_tick, int ticks) {
   int answers = 0;
   for (int i = 0; i < ticks; ++i) {
     gate.tick(first_tick + static_cast<std::uint64_t>(i));
@@ -68,11 +68,11 @@ int answersOf(RemoteGate& gate, std::uint64_t first_tick, int ticks) {
 
 TEST(RemoteGate, APoseBringsSoManyAnswersAndNoMore) {
   RemoteGate gate(std::nullopt, seed(), kHandoverTicks);
-  EXPECT_EQ(answersOf(gate, 0, 100), 0) << "nobody has asked";
+  EXPECT_EQ(countAnswers(gate, 0, 100), 0) << "nobody has asked";
   ASSERT_TRUE(gate.take("p 0 0 0", kFirst, 0));
-  EXPECT_EQ(answersOf(gate, 0, 10000), kAnswersPerPose);
+  EXPECT_EQ(countAnswers(gate, 0, 10000), kAnswersPerPose);
   for (std::uint64_t tick = 20000; tick < 20100; ++tick) ASSERT_TRUE(gate.take("p 0 0 0", kFirst, tick));
-  EXPECT_EQ(answersOf(gate, 20100, 10000), kAnswersPerPose) << "poses that came at once do not add up";
+  EXPECT_EQ(countAnswers(gate, 20100, 10000), kAnswersPerPose) << "poses that came at once do not add up";
 }
 
 TEST(RemoteGate, ASecondSenderIsIgnoredUntilTheFirstWasSilentForASecond) {

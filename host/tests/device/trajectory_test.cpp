@@ -9,8 +9,8 @@
 namespace palpate::device {
 namespace {
 
-std::string messageOf(std::string_view text) {
-  return support::messageOf([&] { parseTrajectory(text, "path.csv"); });
+std::string thrownMessage(std::string_view text) {
+  return support::thrownMessage([&] { parseTrajectory(text, "path.csv"); });
 }
 
 TEST(Trajectory, ReadsRowsWithAndWithoutHeader) {
@@ -23,7 +23,7 @@ TEST(Trajectory, ReadsRowsWithAndWithoutHeader) {
 
 TEST(Trajectory, NamesTheLineAndTheCause) {
   support::expectEach(
-      messageOf,
+      thrownMessage,
       {{"0,1,2,3\n1,1,2\n", "path.csv:2: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 3"},
        {"0,1,2,3,4\n", "path.csv:1: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 5"},
        {"0,1,2,3\n1,1,two,3\n", "path.csv:2: y_mm is not a number: 'two'"},
@@ -35,9 +35,9 @@ TEST(Trajectory, NamesTheLineAndTheCause) {
        {"0,1,2,2e11\n", "path.csv:1: z_mm = 200000000000 is out of range: -100,000,000,000 to 100,000,000,000"},
        {"5,1,2,3\n60005,1,2,3\n",
         "path.csv:2: t_s = 60005 is 60000 s after the first row: a trajectory lasts at most 50,000 s"}});
-  EXPECT_EQ(messageOf(std::string_view("0,1,2,3\n\0\1\2,,,\n", 15)), "path.csv:2: not a text table (byte 0x00)");
-  EXPECT_EQ(messageOf("t_s,x_mm,y_mm,z_mm\n"), "path.csv: empty trajectory: no rows");
-  EXPECT_EQ(messageOf(""), "path.csv: empty trajectory: no rows");
+  EXPECT_EQ(thrownMessage(std::string_view("0,1,2,3\n\0\1\2,,,\n", 15)), "path.csv:2: not a text table (byte 0x00)");
+  EXPECT_EQ(thrownMessage("t_s,x_mm,y_mm,z_mm\n"), "path.csv: empty trajectory: no rows");
+  EXPECT_EQ(thrownMessage(""), "path.csv: empty trajectory: no rows");
 }
 
 TEST(Trajectory, WrittenTextReadsBack) {

@@ -28,7 +28,7 @@ Arrays arraysOf(const mesh::TriangleMesh& mesh) {
   return arrays;
 }
 
-mesh::TriangleMesh meshOf(const Arrays& arrays) {
+mesh::TriangleMesh toMesh(const Arrays& arrays) {
   return meshFromArrays(std::span<const float>(arrays.coordinates), std::span<const std::int32_t>(arrays.corners));
 }
 
@@ -78,7 +78,7 @@ std::size_t unknownIn(const std::vector<Index>& map) {
 }
 
 TEST(Arrays, BecomeAWorldThatIsFelt) {
-  const mesh::TriangleMesh mesh = meshOf(arraysOf(zoo::grid(20, 200.0)));
+  const mesh::TriangleMesh mesh = toMesh(arraysOf(zoo::grid(20, 200.0)));
   const WorldFromArrays built = worldFromMesh(mesh, std::vector<double>(mesh.positions.size(), 2.0));
   expectTrueMaps(mesh, built);
   Simulator simulator(built.world);
@@ -128,32 +128,32 @@ TEST(Arrays, WithoutStiffnessTheSceneSays) {
 }
 
 TEST(Arrays, NameWhatIsWrongWithThem) {
-  using support::messageOf;
+  using support::thrownMessage;
   Arrays arrays = arraysOf(zoo::cube());
   arrays.corners[7] = -1;
-  EXPECT_EQ(messageOf([&] { meshOf(arrays); }), "arrays: corner 1 of triangle 2 is vertex -1, and there are 8");
+  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: corner 1 of triangle 2 is vertex -1, and there are 8");
   arrays.corners[7] = 8;
-  EXPECT_EQ(messageOf([&] { meshOf(arrays); }), "arrays: corner 1 of triangle 2 is vertex 8, and there are 8");
+  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: corner 1 of triangle 2 is vertex 8, and there are 8");
   arrays = arraysOf(zoo::cube());
   arrays.coordinates[5] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(messageOf([&] { meshOf(arrays); }), "arrays: z of vertex 1 is not finite");
+  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: z of vertex 1 is not finite");
   arrays = arraysOf(zoo::cube());
   arrays.coordinates.pop_back();
-  EXPECT_EQ(messageOf([&] { meshOf(arrays); }), "arrays: 23 coordinates are not three a vertex");
+  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: 23 coordinates are not three a vertex");
   arrays = arraysOf(zoo::cube());
   arrays.corners.push_back(0);
-  EXPECT_EQ(messageOf([&] { meshOf(arrays); }), "arrays: 37 corners are not three a triangle");
+  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: 37 corners are not three a triangle");
   const std::vector<std::uint64_t> huge = {0, 1, std::uint64_t{1} << 40};
-  EXPECT_NE(messageOf([&] {
+  EXPECT_NE(thrownMessage([&] {
               meshFromArrays(std::span<const float>(arrays.coordinates), std::span<const std::uint64_t>(huge));
             }).find("is vertex 1099511627776"),
             std::string::npos);
   const auto cube = zoo::cube();
-  EXPECT_EQ(messageOf([&] { worldFromMesh(cube, std::vector<double>(7, 1.0)); }),
+  EXPECT_EQ(thrownMessage([&] { worldFromMesh(cube, std::vector<double>(7, 1.0)); }),
             "arrays: 7 stiffnesses for 8 vertices");
   std::vector<double> stiffness(8, 1.0);
   stiffness[3] = -2.0;
-  EXPECT_EQ(messageOf([&] { worldFromMesh(cube, stiffness); }),
+  EXPECT_EQ(thrownMessage([&] { worldFromMesh(cube, stiffness); }),
             "arrays: the stiffness of vertex 3 is -2, not a number >= 0");
 }
 

@@ -131,7 +131,7 @@ TEST(BoneCover, IsTheDistanceThatAnotherSearchFinds) {
   ASSERT_TRUE(pressed.cover);
   EXPECT_NEAR(pressed.cover->least_mm, *least, 1e-9);
   EXPECT_EQ(pressed.cover->bone, depths.bone[static_cast<std::size_t>(least - depths.depth_mm.begin())]);
-  EXPECT_EQ(inWords(*pressed.cover, world), fmt::format("{:.1f} mm of tissue left over T6", *least));
+  EXPECT_EQ(describe(*pressed.cover, world), fmt::format("{:.1f} mm of tissue left over T6", *least));
 }
 
 TEST(BoneCover, IsNothingAtRestAndWithoutBones) {

@@ -187,7 +187,7 @@ TEST(ContactStream, TheFormsHaveNoSettingThatIsNotSent) {
 
 // --- bytes of anybody
 
-std::string refusalOf(const std::string& bytes, bool forms) {
+std::string decodeError(const std::string& bytes, bool forms) {
   try {
     forms ? static_cast<void>(decodeForms(bytes)) : static_cast<void>(decodeSkin(bytes));
   } catch (const Error& error) {
@@ -206,39 +206,39 @@ mesh::TriangleMesh twoTriangles() {
 TEST(ContactStream, ASkinIsTakenWholeOrRefused) {
   const std::string good = encodedSkin(twoTriangles());
   ASSERT_EQ(good.size(), 16 + 4 * 24 + 2 * 12u);
-  EXPECT_EQ(refusalOf(good, false), "");
+  EXPECT_EQ(decodeError(good, false), "");
   for (std::size_t size = 0; size < good.size(); ++size) {
-    EXPECT_NE(refusalOf(good.substr(0, size), false).find("ends too early"), std::string::npos) << size;
+    EXPECT_NE(decodeError(good.substr(0, size), false).find("ends too early"), std::string::npos) << size;
   }
-  EXPECT_EQ(refusalOf(good + "x", false), "skin: byte 136: goes on after its end");
+  EXPECT_EQ(decodeError(good + "x", false), "skin: byte 136: goes on after its end");
   std::string other = good;
   other[3] = '2';
-  EXPECT_NE(refusalOf(other, false).find("another version"), std::string::npos);
+  EXPECT_NE(decodeError(other, false).find("another version"), std::string::npos);
   other = good;
   other[16 + 4 * 24] = 4;  // a corner
-  EXPECT_NE(refusalOf(other, false).find("out of range"), std::string::npos);
+  EXPECT_NE(decodeError(other, false).find("out of range"), std::string::npos);
   other = good;
   for (std::size_t i = 16; i < 24; ++i) other[i] = '\xff';
-  EXPECT_NE(refusalOf(other, false).find("not finite"), std::string::npos);
+  EXPECT_NE(decodeError(other, false).find("not finite"), std::string::npos);
 }
 
 TEST(ContactStream, AFewBytesThatPromiseBillionsCostNothing) {
   std::string bytes = "PSK1";
   bytes += std::string(8, '\xff') + std::string(4, '\0');
-  EXPECT_NE(refusalOf(bytes, false).find("ends too early"), std::string::npos);
-  EXPECT_NE(refusalOf("PSK1" + std::string(4, '\0') + std::string(8, '\1'), false).find("without vertices"),
+  EXPECT_NE(decodeError(bytes, false).find("ends too early"), std::string::npos);
+  EXPECT_NE(decodeError("PSK1" + std::string(4, '\0') + std::string(8, '\1'), false).find("without vertices"),
             std::string::npos);
 }
 
 TEST(ContactStream, FormsAreTakenWholeOrRefused) {
   const std::string good = encodedForms(uncommonForms());
-  for (std::size_t size = 0; size < good.size(); ++size) EXPECT_NE(refusalOf(good.substr(0, size), true), "") << size;
-  EXPECT_NE(refusalOf(good + "x", true), "");
+  for (std::size_t size = 0; size < good.size(); ++size) EXPECT_NE(decodeError(good.substr(0, size), true), "") << size;
+  EXPECT_NE(decodeError(good + "x", true), "");
   std::string other = good;
   other[4 + 5 * 8] = 9;  // the word of the normals
-  EXPECT_NE(refusalOf(other, true).find("unknown word"), std::string::npos);
+  EXPECT_NE(decodeError(other, true).find("unknown word"), std::string::npos);
   for (std::size_t i = 4; i < 12; ++i) other[i] = '\xff';
-  EXPECT_NE(refusalOf(other, true).find("not finite"), std::string::npos);
+  EXPECT_NE(decodeError(other, true).find("not finite"), std::string::npos);
 }
 
 StreamedFrame someFrame() {

@@ -63,7 +63,7 @@ class RecorderOf : public testing::Test {
     return waitFor([&] { return recorder.state().samples >= enough || !recorder.state().failure.empty(); }) &&
            recorder.state().failure.empty();
   }
-  static std::vector<trace::RecordingEvent> eventsOf(trace::RecordingReader& recording, std::string_view kind) {
+  static std::vector<trace::RecordingEvent> findEvents(trace::RecordingReader& recording, std::string_view kind) {
     std::vector<trace::RecordingEvent> found;
     for (const trace::RecordingEvent& event : recording.events()) {
       if (event.kind == kind) found.push_back(event);
@@ -99,10 +99,10 @@ TEST_F(RecorderOf, ARunningServoIsFeltAgainThroughChangedWorlds) {
   EXPECT_EQ(recording.facts().ended_by, "done");
   EXPECT_EQ(recording.facts().worlds, 3u);
   EXPECT_EQ(recording.facts().dropped, 0u);
-  EXPECT_EQ(eventsOf(recording, "world").size(), 2u);
-  EXPECT_FALSE(eventsOf(recording, "button").empty());
-  ASSERT_EQ(eventsOf(recording, "mark").size(), 1u);
-  EXPECT_EQ(eventsOf(recording, "mark")[0].text, "here");
+  EXPECT_EQ(findEvents(recording, "world").size(), 2u);
+  EXPECT_FALSE(findEvents(recording, "button").empty());
+  ASSERT_EQ(findEvents(recording, "mark").size(), 1u);
+  EXPECT_EQ(findEvents(recording, "mark")[0].text, "here");
   std::string data;
   recording.forEachAttachment({}, [&](const trace::RecordingAttachment& a) { data = a.name + "|" + a.data; });
   EXPECT_EQ(data, std::string("a.png|\x89PNG\0x", 12));
@@ -173,7 +173,7 @@ TEST_F(RecorderOf, WhatFindsNoRoomIsCountedAndMarked) {
   trace::RecordingReader recording(file());
   EXPECT_EQ(recording.facts().dropped, recorder.state().dropped);
   EXPECT_GT(recording.facts().dropped, 500u);
-  const auto events = eventsOf(recording, "dropped");
+  const auto events = findEvents(recording, "dropped");
   ASSERT_FALSE(events.empty());
   EXPECT_NE(events[0].text.find("found no room"), std::string::npos) << events[0].text;
   // The events stand where ticks are missing, and what was felt around the gaps is proven.
@@ -207,7 +207,7 @@ TEST_F(RecorderOf, AFileOfTheLastHourForgetsWhatIsOlderAndIsStillProven) {
   EXPECT_LT(recording.facts().seconds(), 1.4);
   EXPECT_GT(recording.facts().seconds(), 0.8);
   EXPECT_GT(recording.facts().first_world, 0u);
-  EXPECT_EQ(eventsOf(recording, "cut").size(), 1u);
+  EXPECT_EQ(findEvents(recording, "cut").size(), 1u);
   expectIdentical(recording);
 }
 
@@ -215,10 +215,10 @@ TEST_F(RecorderOf, ACopyIsFinishedWhileItGoesOn) {
   ServoThread servo(plan(0.5), devices());
   Recorder recorder(servo, settings());
   ASSERT_TRUE(waitForSamples(recorder, 600));
-  EXPECT_TRUE(recorder.keep(folder_ / "kept.session"));
-  EXPECT_FALSE(recorder.keep(folder_ / "other.session")) << "one at a time";
+  EXPECT_TRUE(recorder.save(folder_ / "kept.session"));
+  EXPECT_FALSE(recorder.save(folder_ / "other.session")) << "one at a time";
   std::optional<KeptRecording> kept;
-  ASSERT_TRUE(waitFor([&] { return (kept = recorder.takeKept()).has_value(); }));
+  ASSERT_TRUE(waitFor([&] { return (kept = recorder.collectSaved()).has_value(); }));
   EXPECT_EQ(kept->failure, "");
   EXPECT_EQ(kept->file, folder_ / "kept.session");
   trace::RecordingReader copy(kept->file);
@@ -286,7 +286,7 @@ TEST_F(RecorderOf, AFolderThatCannotBeWrittenIsSaidAtOnce) {
   ServoThread servo(plan(0.5), devices());
   RecorderSettings nowhere = settings();
   nowhere.file = folder_ / "sheet.ply" / "run.session";
-  EXPECT_NE(support::messageOf([&] { Recorder(servo, nowhere); }).find("sheet.ply"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { Recorder(servo, nowhere); }).find("sheet.ply"), std::string::npos);
 }
 
 }  // namespace

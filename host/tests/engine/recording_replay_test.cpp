@@ -37,14 +37,14 @@ device::Device troubledDevice(std::uint64_t seed) {
 
 class RecordingReplay : public testing::Test {
  protected:
-  std::shared_ptr<const scene::World> worldOf(double stiffness) const {
+  std::shared_ptr<const scene::World> buildSheetWorld(double stiffness) const {
     scene::Scene scene = sheetOfTwo(folder_);
     scene.stiffness.constant_n_per_mm = stiffness;
     return scene::build(scene);
   }
 
-  static std::vector<FeltWith> feltWith(const ServoPlan& plan) {
-    std::vector<FeltWith> fingers;
+  static std::vector<FingerSetup> feltWith(const ServoPlan& plan) {
+    std::vector<FingerSetup> fingers;
     for (const contact::FingerSettings& finger : plan.fingers) fingers.push_back({finger, plan.limiter, true});
     return fingers;
   }
@@ -57,7 +57,7 @@ class RecordingReplay : public testing::Test {
 TEST_F(RecordingReplay, GivesEveryBitThroughFaultsWorldChangesAndAnEmergencyStop) {
   trace::RecordingWriter writer(file(), recordingHeader(1000.0), {{"left", "troubled"}, {"right", "troubled"}});
   const auto plan_of = [&](double stiffness, bool other_body) {
-    const auto world = worldOf(stiffness);
+    const auto world = buildSheetWorld(stiffness);
     ServoPlan plan = servoPlan(world, fingerSettings(world->scene, 2));
     plan.other_body = other_body;
     return plan;
@@ -141,7 +141,7 @@ void recordHeadless(const std::filesystem::path& file, const std::shared_ptr<con
 }
 
 TEST_F(RecordingReplay, NamesTheFirstDifference) {
-  recordHeadless(file(), worldOf(0.625));
+  recordHeadless(file(), buildSheetWorld(0.625));
   {
     trace::RecordingReader recording(file());
     EXPECT_TRUE(replay(recording).identical());
@@ -160,7 +160,7 @@ TEST_F(RecordingReplay, NamesTheFirstDifference) {
 }
 
 TEST_F(RecordingReplay, ComparesOnlyTheSpanThatIsAskedFor) {
-  recordHeadless(file(), worldOf(0.5));
+  recordHeadless(file(), buildSheetWorld(0.5));
   trace::RecordingReader recording(file());
   std::uint64_t felt = 0;
   const ReplayReport report =
@@ -259,7 +259,7 @@ TEST(RecordingSettings, AreReadBackToTheBit) {
   EXPECT_EQ(asText(limiter, false).find("unsafe"), std::string::npos) << "recordings of before have no such line";
   limiter.unsafe = true;
   EXPECT_TRUE(limiterFrom(asText(limiter, false)).settings.unsafe);
-  EXPECT_NE(limitsInWords(limiter).find("UNSAFE"), std::string::npos);
+  EXPECT_NE(describeLimits(limiter).find("UNSAFE"), std::string::npos);
   EXPECT_THROW(contactSettingsFrom("radius = 8\n"), Error);
   EXPECT_THROW(contactSettingsFrom("radius_mm = much\n"), Error);
 }

@@ -37,7 +37,7 @@ struct Held {
 
 /// One finger without the limits that make forces gradual; a tick of a quarter of a millisecond, so that a test sees
 /// many.
-ServoPlan planOf(const std::shared_ptr<const scene::World>& world, double max_depth_mm, bool other_body) {
+ServoPlan makePlan(const std::shared_ptr<const scene::World>& world, double max_depth_mm, bool other_body) {
   auto fingers = fingerSettings(world->scene, 1);
   fingers[0].max_depth_mm = max_depth_mm;
   fingers[0].tick_s = 0.00025;
@@ -62,7 +62,7 @@ bool waitFor(ServoThread& servo, const Ready& ready) {
 
 TEST(ServoThread, FeelsWhereTheDeviceIs) {
   Held held;
-  auto servo = threadWith(planOf(sheet(0.5), 40.0, true), held);
+  auto servo = threadWith(makePlan(sheet(0.5), 40.0, true), held);
   EXPECT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].contact.depth_mm == 3.0; }));
   EXPECT_NEAR(servo.contacts()[0].contact.force.z(), 1.5, 1e-9);
   trace::Sample sample;
@@ -76,7 +76,7 @@ TEST(ServoThread, GoesOnAtItsOwnRateWhateverTheNextSceneSays) {
   std::atomic<double> tick_s{0.0};
   std::vector<device::Device> devices;
   devices.push_back(held.device());
-  ServoThread servo(planOf(sheet(0.5), 40.0, true), std::move(devices), [&](std::span<servo::FingerChain> fingers) {
+  ServoThread servo(makePlan(sheet(0.5), 40.0, true), std::move(devices), [&](std::span<servo::FingerChain> fingers) {
     tick_s = fingers[0].contact_settings.tick_s == fingers[0].limiter_settings.tick_s
                  ? fingers[0].limiter_settings.tick_s
                  : std::numeric_limits<double>::quiet_NaN();
@@ -94,14 +94,14 @@ TEST(ServoThread, GivesTheOldWorldBackToItsOwner) {
   auto soft = sheet(0.2);
   const auto stiff = sheet(2.0);
   const std::weak_ptr<const scene::World> watched = soft;
-  auto servo = threadWith(planOf(soft, 40.0, true), held);
+  auto servo = threadWith(makePlan(soft, 40.0, true), held);
   EXPECT_FALSE(servo.exchange());
-  servo.change(planOf(stiff, 40.0, false));
+  servo.change(makePlan(stiff, 40.0, false));
   soft.reset();
   ASSERT_TRUE(waitFor(servo, [&] { return servo.world() == stiff; }));
   EXPECT_TRUE(watched.expired()) << "freed on this thread, in the exchange";
   EXPECT_TRUE(waitFor(servo, [&] { return std::abs(servo.contacts()[0].contact.force.z() - 6.0) < 1e-9; }));
-  servo.change(planOf(stiff, 40.0, false));
+  servo.change(makePlan(stiff, 40.0, false));
   EXPECT_TRUE(support::waitFor([&] { return servo.exchange(); }));
   EXPECT_FALSE(servo.exchange()) << "told once";
 }
@@ -112,7 +112,7 @@ TEST(ServoThread, OfManyChangesTheNewestWins) {
   Held held;
   held.depth_mm = 9.0;
   const auto world = sheet(1.0);
-  auto servo = threadWith(planOf(world, 8.0, true), held);
+  auto servo = threadWith(makePlan(world, 8.0, true), held);
   const auto felt_n = [&] { return servo.contacts()[0].contact.force.z(); };
   const auto feels = [&](double force_n) {
     return waitFor(servo, [&] { return std::abs(felt_n() - force_n) < 1e-9; });
@@ -121,7 +121,7 @@ TEST(ServoThread, OfManyChangesTheNewestWins) {
   double least_n = 8.0;
   constexpr int kChanges = 200;
   for (int i = 1; i <= kChanges; ++i) {
-    servo.change(planOf(world, 8.0 - 0.02 * i, false));
+    servo.change(makePlan(world, 8.0 - 0.02 * i, false));
     if (i % 7 == 0) servo.exchange();
     if (i % 20 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     ASSERT_LE(felt_n(), least_n + 1e-9);
@@ -140,11 +140,11 @@ TEST(ServoThread, ForgetsTheTouchWhenOneOfThePlansHadAnotherBody) {
   const auto world = sheet(0.5);
   for (const bool other_body : {false, true}) {
     Held held;
-    auto servo = threadWith(planOf(world, 40.0, true), held);
+    auto servo = threadWith(makePlan(world, 40.0, true), held);
     ASSERT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].contact.depth_mm == 3.0; }));
-    servo.change(planOf(world, 39.0, false));       // offered at once
-    servo.change(planOf(world, 38.0, other_body));  // waits
-    servo.change(planOf(world, 2.0, false));        // in its place
+    servo.change(makePlan(world, 39.0, false));       // offered at once
+    servo.change(makePlan(world, 38.0, other_body));  // waits
+    servo.change(makePlan(world, 2.0, false));        // in its place
     const double expected_n = other_body ? 0.0 : 1.0;
     const auto felt_n = [&] { return servo.contacts()[0].contact.force.z(); };
     EXPECT_TRUE(waitFor(servo, [&] { return std::abs(felt_n() - expected_n) < 1e-9; })) << expected_n;
@@ -154,8 +154,8 @@ TEST(ServoThread, ForgetsTheTouchWhenOneOfThePlansHadAnotherBody) {
 TEST(ServoThread, RefusesWhatDoesNotFit) {
   const auto world = sheet(0.5);
   Held held;
-  EXPECT_THROW(ServoThread(planOf(world, 40.0, true), {}), Error);
-  auto servo = threadWith(planOf(world, 40.0, true), held);
+  EXPECT_THROW(ServoThread(makePlan(world, 40.0, true), {}), Error);
+  auto servo = threadWith(makePlan(world, 40.0, true), held);
   EXPECT_THROW(servo.change(servoPlan(world, fingerSettings(world->scene, 2))), Error);
   auto wrong = fingerSettings(world->scene, 1);
   wrong[0].mu_static = -1.0;
@@ -183,14 +183,14 @@ TEST(ServoThread, NoTickSeesHalfAPlan) {
   held.taps = true;
   const std::shared_ptr<const scene::World> worlds[] = {sheet(0.5), sheet(2.0)};
   const double deepest_mm[] = {1.0, 3.0};
-  auto servo = threadWith(planOf(worlds[0], deepest_mm[0], true), held);
+  auto servo = threadWith(makePlan(worlds[0], deepest_mm[0], true), held);
   std::size_t taken = 0;
   std::size_t at_work[2] = {0, 0};
   Random random(7);
   trace::Sample sample;
   const auto until = Clock::now() + std::chrono::seconds(2);
   for (std::size_t i = 1; Clock::now() < until; ++i) {
-    servo.change(planOf(worlds[i % 2], deepest_mm[i % 2], random.below(2) == 0));
+    servo.change(makePlan(worlds[i % 2], deepest_mm[i % 2], random.below(2) == 0));
     if (random.below(4) != 0) taken += servo.exchange() ? 1 : 0;
     while (servo.pop(sample)) {
       const double force = sample.contact.force.z();
@@ -225,9 +225,9 @@ TEST(ServoThread, AllocatesAndLocksNothingAlsoWhereWorldsAreExchanged) {
     locks = asked.locks.value_or(kNotCounted);
   };
   const std::shared_ptr<const scene::World> worlds[] = {sheet(0.5), sheet(2.0)};
-  ServoThread servo(planOf(worlds[0], 40.0, true), std::move(devices));
+  ServoThread servo(makePlan(worlds[0], 40.0, true), std::move(devices));
   for (std::size_t taken = 0, i = 1; taken < 50; ++i) {
-    servo.change(planOf(worlds[i % 2], 40.0, true));
+    servo.change(makePlan(worlds[i % 2], 40.0, true));
     ASSERT_TRUE(waitFor(servo, [&] { return servo.world() == worlds[i % 2]; }));
     ++taken;
   }
@@ -244,7 +244,7 @@ TEST(ServoThread, APartitionCanBeReplacedUnderAFinger) {
   scene.partition.hdb_edge_mm = 60.0;
   scene.partition.build.threshold = 64;
   const auto world = sheet(0.5, scene);
-  auto servo = threadWith(planOf(world, 40.0, true), held);
+  auto servo = threadWith(makePlan(world, 40.0, true), held);
   ASSERT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].contact.depth_mm > 2.99; }));
   WorldBuilder builder;
   for (const std::size_t threshold : {16, 512, 32}) {
@@ -255,7 +255,7 @@ TEST(ServoThread, APartitionCanBeReplacedUnderAFinger) {
     std::optional<BuildResult> result;
     while (!(result = builder.take())) std::this_thread::yield();
     ASSERT_TRUE(result->world) << result->error;
-    servo.change(planOf(result->world, 40.0, false));
+    servo.change(makePlan(result->world, 40.0, false));
     ASSERT_TRUE(waitFor(servo, [&] { return servo.world() == result->world; }));
     const std::uint64_t tick = servo.contacts()[0].tick;
     ASSERT_TRUE(waitFor(servo, [&] { return servo.contacts()[0].tick > tick + 20; }));

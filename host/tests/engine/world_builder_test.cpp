@@ -30,7 +30,7 @@ struct Balls {
   support::TemporaryFolder folder;
 };
 
-BuildResult resultOf(WorldBuilder& builder) {
+BuildResult awaitResult(WorldBuilder& builder) {
   while (true) {
     if (auto result = builder.take()) return *std::move(result);
     std::this_thread::yield();
@@ -46,7 +46,7 @@ TEST(WorldBuilder, HandsOverWhatWasRequestedOnce) {
   WorldBuilder builder;
   EXPECT_FALSE(builder.take());
   builder.request(balls.request("small.ply"));
-  const BuildResult result = resultOf(builder);
+  const BuildResult result = awaitResult(builder);
   ASSERT_TRUE(result.world) << result.error;
   EXPECT_EQ(result.world->body->name, "small.ply");
   EXPECT_FALSE(builder.progress());
@@ -57,7 +57,7 @@ TEST(WorldBuilder, TellsWhatIsWrongWithAFile) {
   const Balls balls;
   WorldBuilder builder;
   builder.request(balls.request("missing.ply"));
-  const BuildResult result = resultOf(builder);
+  const BuildResult result = awaitResult(builder);
   EXPECT_FALSE(result.world);
   EXPECT_NE(result.error.find("missing.ply"), std::string::npos) << result.error;
 }
@@ -72,18 +72,18 @@ TEST(WorldBuilder, ReadsTheSceneBesideTheCaller) {
     return balls.request("small.ply").scene;
   };
   builder.request(request);
-  EXPECT_EQ(resultOf(builder).world->body->name, "small.ply");
+  EXPECT_EQ(awaitResult(builder).world->body->name, "small.ply");
   EXPECT_NE(reader, std::this_thread::get_id());
   request.read = []() -> scene::Scene { throw Error("no scene today"); };
   builder.request(request);
-  EXPECT_EQ(resultOf(builder).error, "no scene today");
+  EXPECT_EQ(awaitResult(builder).error, "no scene today");
 }
 
 TEST(WorldBuilder, AWorldCanBeRefusedBeforeAnybodySeesIt) {
   const Balls balls;
   WorldBuilder builder([](const scene::World& world) { throw Error("not " + world.body->name); });
   builder.request(balls.request("small.ply"));
-  const BuildResult result = resultOf(builder);
+  const BuildResult result = awaitResult(builder);
   EXPECT_FALSE(result.world);
   EXPECT_EQ(result.error, "not small.ply");
 }
@@ -93,7 +93,7 @@ TEST(WorldBuilder, OnlyTheNewestRequestCounts) {
   WorldBuilder builder;
   for (int i = 0; i < 20; ++i) builder.request(balls.request("large.ply"));
   builder.request(balls.request("small.ply"));
-  EXPECT_EQ(resultOf(builder).world->body->name, "small.ply");
+  EXPECT_EQ(awaitResult(builder).world->body->name, "small.ply");
   waitUntilIdle(builder);
   EXPECT_FALSE(builder.take());
 }
@@ -115,12 +115,12 @@ TEST(WorldBuilder, ReusesABody) {
   const Balls balls;
   WorldBuilder builder;
   builder.request(balls.request("small.ply"));
-  const auto first = resultOf(builder).world;
+  const auto first = awaitResult(builder).world;
   BuildRequest request{first->scene, first, {}};
   request.scene.stiffness.constant_n_per_mm = 2.0;
   request.scene.body.file = "not/looked/at.ply";
   builder.request(request);
-  const auto second = resultOf(builder).world;
+  const auto second = awaitResult(builder).world;
   ASSERT_TRUE(second);
   EXPECT_EQ(second->surface.stiffness_n_per_mm->at(0), 2.0);
   EXPECT_EQ(second->body->skin.triangles, first->body->skin.triangles);
@@ -188,7 +188,7 @@ TEST(WorldBuilder, ManyThreadsRequestAndTakeAtOnce) {
   }
   for (std::thread& thread : threads) thread.join();
   builder.request(balls.request("small.ply"));
-  EXPECT_TRUE(resultOf(builder).world);
+  EXPECT_TRUE(awaitResult(builder).world);
 }
 
 }  // namespace

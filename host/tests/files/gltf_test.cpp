@@ -31,13 +31,13 @@ std::string changed(std::string bytes, std::string_view old_text, std::string_vi
 }
 
 std::string gltfRefusal(const std::string& json) {
-  return support::messageOf([&] { loadFromMemory(json, Format::gltf, "x"); });
+  return support::thrownMessage([&] { loadFromMemory(json, Format::gltf, "x"); });
 }
 
 MeshWithChannels gltfFrom(const std::string& json) { return loadWithChannelsFromMemory(json, Format::gltf, "x"); }
 
 /// In the file's unit.
-Eigen::AlignedBox3d boxOf(const std::string& json) {
+Eigen::AlignedBox3d loadBox(const std::string& json) {
   return boundingBox(loadFromMemory(json, Format::gltf, "x", {.unit_mm = 1.0}));
 }
 
@@ -110,7 +110,7 @@ TEST(GltfStrings, WhatIsNoJsonIsRefusedAsTheLibraryRefusesIt) {
   for (const char* text :
        {R"("\x")", R"("\u12")", R"("\u12g4")", "01", "-", "1.", ".5", "+1", "1e", "1e+", "--1", "0x1"}) {
     EXPECT_TRUE(Json::tryParse(text).is_discarded()) << text;
-    EXPECT_NE(support::messageOf([&] { JsonDocument(text, {.file = "x"}); }), "no error") << text;
+    EXPECT_NE(support::thrownMessage([&] { JsonDocument(text, {.file = "x"}); }), "no error") << text;
   }
   for (const char* text : {"0", "-0", "1.5", "1e5", "-1.5E-05", "10", "\xef\xbb\xbf{}"}) {
     EXPECT_NO_THROW(JsonDocument(text, {.file = "x"})) << text;
@@ -190,10 +190,10 @@ TEST(GltfAccessors, SparseOnesAreFilledIn) {
   const std::string sparse =
       R"(,"sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123},"values":{"bufferView":2}})";
   const std::string json = triangle.json();
-  expectBox(boxOf(changed(json, R"("type":"VEC3")", R"("type":"VEC3")" + sparse)), Vec3::Zero(), Vec3(1, 5, 0));
+  expectBox(loadBox(changed(json, R"("type":"VEC3")", R"("type":"VEC3")" + sparse)), Vec3::Zero(), Vec3(1, 5, 0));
   const std::string of_zeros =
       changed(changed(json, R"("bufferView":0,)", ""), R"("type":"VEC3")", R"("type":"VEC3")" + sparse);
-  expectBox(boxOf(of_zeros), Vec3::Zero(), Vec3(0, 5, 0));
+  expectBox(loadBox(of_zeros), Vec3::Zero(), Vec3(0, 5, 0));
   EXPECT_EQ(gltfRefusal(changed(changed(json, R"("type":"VEC3")", R"("type":"VEC3")" + sparse), R"("count":3)",
                                 R"("count":2)")),
             "x:1: a sparse accessor changes element 2 of 2");
@@ -213,7 +213,7 @@ TEST(GltfAccessors, WholeNumbersAreNormalisedAndStridesKept) {
   triangle.views = R"(,{"buffer":0,"byteOffset":36,"byteLength":24,"byteStride":8})";
   triangle.accessors = R"(,{"bufferView":1,"componentType":5122,"normalized":true,"count":3,"type":"VEC3"})";
   triangle.primitive = R"("attributes":{"POSITION":1})";
-  expectBox(boxOf(triangle.json()), Vec3(0, -1, 0), Vec3(1, 0, 0));
+  expectBox(loadBox(triangle.json()), Vec3(0, -1, 0), Vec3(1, 0, 0));
 }
 
 // --- what moves a mesh ---
@@ -238,8 +238,8 @@ OneTriangle skinnedTriangle(std::initializer_list<float> weights) {
 }
 
 TEST(GltfPose, JointsCarryVerticesByTheirWeights) {
-  expectBox(boxOf(skinnedTriangle({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}).json()), Vec3(10, 0, 0), Vec3(11, 1, 0));
-  expectBox(boxOf(skinnedTriangle({0.5, 0.5, 0, 0, 2, 2, 0, 0, 0, 0, 0, 0}).json()), Vec3(5, 1, 0), Vec3(10, 5, 0));
+  expectBox(loadBox(skinnedTriangle({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}).json()), Vec3(10, 0, 0), Vec3(11, 1, 0));
+  expectBox(loadBox(skinnedTriangle({0.5, 0.5, 0, 0, 2, 2, 0, 0, 0, 0, 0, 0}).json()), Vec3(5, 1, 0), Vec3(10, 5, 0));
 }
 
 TEST(GltfPose, WrongJointsAreRefused) {
@@ -258,11 +258,11 @@ TEST(GltfPose, WeightsOfAFileMorphItsMesh) {
   triangle.views = R"(,{"buffer":0,"byteOffset":36,"byteLength":36})";
   triangle.accessors = R"(,{"bufferView":1,"componentType":5126,"count":3,"type":"VEC3"})";
   triangle.primitive += R"(,"targets":[{"POSITION":1}])";
-  EXPECT_EQ(boxOf(triangle.json()).max().z(), 0.0);
+  EXPECT_EQ(loadBox(triangle.json()).max().z(), 0.0);
   triangle.mesh = R"(,"weights":[0.5])";
-  EXPECT_EQ(boxOf(triangle.json()).min().z(), 1.0);
+  EXPECT_EQ(loadBox(triangle.json()).min().z(), 1.0);
   triangle.node = R"(,"weights":[2])";
-  EXPECT_EQ(boxOf(triangle.json()).min().z(), 4.0) << "the node's weights come before the mesh's";
+  EXPECT_EQ(loadBox(triangle.json()).min().z(), 4.0) << "the node's weights come before the mesh's";
 }
 
 TEST(GltfPose, InstancesOfANodeAreAllThere) {
@@ -270,13 +270,13 @@ TEST(GltfPose, InstancesOfANodeAreAllThere) {
   triangle.node = R"(,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{"TRANSLATION":0}}})";
   triangle.root = R"(,"extensionsRequired":["EXT_mesh_gpu_instancing"])";
   EXPECT_EQ(gltfFrom(triangle.json()).mesh.triangles.size(), 3u);
-  expectBox(boxOf(triangle.json()), Vec3::Zero(), Vec3(2, 2, 0));
+  expectBox(loadBox(triangle.json()), Vec3::Zero(), Vec3(2, 2, 0));
 }
 
 // --- what is refused or left out, by its name ---
 
 TEST(GltfNeeds, AnUnknownRequiredExtensionIsNamedBeforeBuffersAreRead) {
-  const std::string packed = support::messageOf([] { load(kCases / "glb_meshopt.glb"); });
+  const std::string packed = support::thrownMessage([] { load(kCases / "glb_meshopt.glb"); });
   EXPECT_NE(packed.find("geometry compressed with EXT_meshopt_compression cannot be read"), std::string::npos);
   const std::string missing = changed(OneTriangle{.root = R"(,"extensionsRequired":["ACME_shape"])"}.json(),
                                       "data:application/gltf-buffer;base64,", "gone.bin?");

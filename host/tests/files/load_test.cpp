@@ -15,14 +15,14 @@
 
 namespace palpate::mesh {
 
-using support::messageOf;
+using support::thrownMessage;
 
 void writeFile(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
 std::string refusal(const std::string& bytes, Format format, const LoadOptions& options = {}) {
-  return messageOf([&] { loadFromMemory(bytes, format, "x", options); });
+  return thrownMessage([&] { loadFromMemory(bytes, format, "x", options); });
 }
 
 // --- the same mesh in every format ---
@@ -55,7 +55,7 @@ TEST(Load, FindsTheFormatByContentAndByExtension) {
   EXPECT_EQ(load(folder / "upper.STL").positions.size(), 8u);
   EXPECT_EQ(load(folder / "ply.dat").triangles.size(), 12u);
   writeFile(folder / "notes.txt", "hello");
-  EXPECT_NE(messageOf([&] { load(folder / "notes.txt"); }).find("not a mesh file"), std::string::npos);
+  EXPECT_NE(thrownMessage([&] { load(folder / "notes.txt"); }).find("not a mesh file"), std::string::npos);
 }
 
 TEST(Load, ConvertsUnits) {
@@ -90,16 +90,16 @@ TEST(Load, OtherFormatsOnlyWhenAskedFor) {
       "2 1 1\n3 0 1\nkids 0\n";
   const support::TemporaryFolder folder;
   writeFile(folder / "square.ac", ac3d);
-  EXPECT_NE(messageOf([&] { load(folder / "square.ac"); }).find("not a mesh file"), std::string::npos);
+  EXPECT_NE(thrownMessage([&] { load(folder / "square.ac"); }).find("not a mesh file"), std::string::npos);
 #ifndef PALPATE_ASSIMP
-  EXPECT_EQ(messageOf([&] { load(folder / "square.ac", {.allow_foreign = true}); }),
+  EXPECT_EQ(thrownMessage([&] { load(folder / "square.ac", {.allow_foreign = true}); }),
             (folder / "square.ac").string() + ": this format would need assimp, and palpate was built without assimp");
   GTEST_SKIP() << "built without assimp";
 #endif
   EXPECT_NEAR(validate(load(folder / "square.ac", {.allow_foreign = true})).area_mm2, 100.0, 1e-4);
   writeFile(folder / "broken.ac", "AC3D");
   EXPECT_EQ(
-      messageOf([&] { load(folder / "broken.ac", {.allow_foreign = true}); }).find((folder / "broken.ac").string()),
+      thrownMessage([&] { load(folder / "broken.ac", {.allow_foreign = true}); }).find((folder / "broken.ac").string()),
       0u);
 }
 
@@ -201,13 +201,13 @@ TEST(LoadGltf, ReadsBuffersBesideTheFileAndNowhereElse) {
   EXPECT_EQ(load(folder / "good.gltf").triangles.size(), 12u);
   for (const char* uri : {"../parts/a b.bin", "/etc/passwd", "file:///etc/passwd", "parts/../../x"}) {
     writeFile(folder / "bad.gltf", with_uri(uri));
-    EXPECT_NE(messageOf([&] { load(folder / "bad.gltf"); }).find("same folder or below"), std::string::npos) << uri;
+    EXPECT_NE(thrownMessage([&] { load(folder / "bad.gltf"); }).find("same folder or below"), std::string::npos) << uri;
   }
   writeFile(folder / "bad.gltf", with_uri("parts/a b.bin%00.png"));
-  EXPECT_NE(messageOf([&] { load(folder / "bad.gltf"); }).find("cannot hold a zero byte"), std::string::npos);
+  EXPECT_NE(thrownMessage([&] { load(folder / "bad.gltf"); }).find("cannot hold a zero byte"), std::string::npos);
   EXPECT_NE(refusal(with_uri("parts/a b.bin"), Format::gltf).find("no folder to look in"), std::string::npos);
   writeFile(folder / "missing.gltf", with_uri("gone.bin"));
-  EXPECT_NE(messageOf([&] { load(folder / "missing.gltf"); }).find("gone.bin: no such file"), std::string::npos);
+  EXPECT_NE(thrownMessage([&] { load(folder / "missing.gltf"); }).find("gone.bin: no such file"), std::string::npos);
 }
 
 TEST(LoadGltf, ChecksEverySizeAgainstTheBytes) {
@@ -280,19 +280,19 @@ TEST(LoadErrors, EmptyMissingAndForeignFiles) {
   for (char& c : garbage) c = static_cast<char>(random.bits());
   for (const char* extension : {"obj", "stl", "ply", "off", "gltf", "glb"}) {
     const auto file = folder / (std::string("mesh.") + extension);
-    EXPECT_EQ(messageOf([&] { load(file); }), file.string() + ": no such file");
+    EXPECT_EQ(thrownMessage([&] { load(file); }), file.string() + ": no such file");
     writeFile(file, "");
-    EXPECT_EQ(messageOf([&] { load(file); }), file.string() + ": the file is empty");
+    EXPECT_EQ(thrownMessage([&] { load(file); }), file.string() + ": the file is empty");
     for (const std::string& content :
          {garbage, std::string("<html><body>Not found</body></html>\n"), std::string(10, '\n'),
           std::string("\x89PNG\r\n\x1a\n"), std::string(100, '\0')}) {
       writeFile(file, content);
-      const std::string message = messageOf([&] { load(file); });
+      const std::string message = thrownMessage([&] { load(file); });
       EXPECT_EQ(message.rfind(file.string(), 0), 0u) << message;
       EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     }
   }
-  EXPECT_NE(messageOf([&] { load(folder.path()); }).find("not a file"), std::string::npos);
+  EXPECT_NE(thrownMessage([&] { load(folder.path()); }).find("not a file"), std::string::npos);
 }
 
 TEST(LoadErrors, AHeaderThatLiesTakesNoMemory) {

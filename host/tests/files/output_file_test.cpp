@@ -83,9 +83,12 @@ TEST(OutputFile, FollowsNoLinkInAFolderWhereAnybodyMayLayOne) {
   fs::create_directory_symlink(folder.path(), open / "laid");
   fs::create_symlink(open / "laid.csv", folder / "far.csv");
   const std::string refusal = ": is a link in a folder that everybody may write to: name what it leads to";
-  EXPECT_EQ(support::messageOf([&] { writeFile(open / "laid.csv", "new"); }), (open / "laid.csv").string() + refusal);
-  EXPECT_EQ(support::messageOf([&] { writeFile(open / "laid/mine.csv", "new"); }), (open / "laid").string() + refusal);
-  EXPECT_EQ(support::messageOf([&] { writeFile(folder / "far.csv", "new"); }), (open / "laid.csv").string() + refusal);
+  EXPECT_EQ(support::thrownMessage([&] { writeFile(open / "laid.csv", "new"); }),
+            (open / "laid.csv").string() + refusal);
+  EXPECT_EQ(support::thrownMessage([&] { writeFile(open / "laid/mine.csv", "new"); }),
+            (open / "laid").string() + refusal);
+  EXPECT_EQ(support::thrownMessage([&] { writeFile(folder / "far.csv", "new"); }),
+            (open / "laid.csv").string() + refusal);
   EXPECT_EQ(readFile(folder / "mine.csv", 100), "mine");
   writeFile(open / "plain.csv", "new");
   EXPECT_EQ(readFile(open / "plain.csv", 100), "new") << "what is not a link is written there as anywhere";
@@ -104,7 +107,7 @@ TEST(OutputFile, ForItsOwnerAloneIsSoFromTheFirstByte) {
   EXPECT_EQ(modeOf(folder / "a.key"), 0600u) << "whatever stood there";
   createPrivateFile(folder / "b");
   EXPECT_EQ(modeOf(folder / "b"), 0600u);
-  EXPECT_EQ(support::messageOf([&] { createPrivateFile(folder / "b"); }),
+  EXPECT_EQ(support::thrownMessage([&] { createPrivateFile(folder / "b"); }),
             (folder / "b").string() + ": cannot be written: File exists");
   ::umask(before);
 }
@@ -114,7 +117,7 @@ TEST(OutputFile, TellsThatItsFileWasDeleted) {
   fs::create_directories(folder / "disk");
   OutputFile file(folder / "disk/a.csv");
   fs::remove_all(folder / "disk");
-  EXPECT_EQ(support::messageOf([&] { file.write("a row\n"); }),
+  EXPECT_EQ(support::thrownMessage([&] { file.write("a row\n"); }),
             (folder / "disk/a.csv").string() + ": cannot be written: No such file or directory");
 }
 
@@ -141,7 +144,7 @@ TEST(OutputFile, AFailureInTheMiddleLeavesTheEarlierFileWhole) {
   const auto previous = std::signal(SIGXFSZ, SIG_IGN);
   const rlimit small = {1000, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
-  const std::string message = support::messageOf([&] { writeFile(folder / "a.csv", std::string(5000, 'x')); });
+  const std::string message = support::thrownMessage([&] { writeFile(folder / "a.csv", std::string(5000, 'x')); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, previous);
   EXPECT_EQ(message, (folder / "a.csv").string() + ": cannot be written: File too large");
@@ -169,10 +172,11 @@ TEST(OutputFile, SaysWhatCannotBeWrittenAndWhy) {
   const support::TemporaryFolder folder;
   writeFile(folder / "file", "a");
   const fs::path under = folder / "file/under/a.csv", full = folder / "full";
-  EXPECT_EQ(support::messageOf([&] { OutputFile{under}; }), under.string() + ": cannot be written: Not a directory");
+  EXPECT_EQ(support::thrownMessage([&] { OutputFile{under}; }),
+            under.string() + ": cannot be written: Not a directory");
   fs::create_symlink("/dev/full", full);
   OutputFile file(full);
-  EXPECT_EQ(support::messageOf([&] { file.write("a row\n"); }),
+  EXPECT_EQ(support::thrownMessage([&] { file.write("a row\n"); }),
             full.string() + ": cannot be written: No space left on device");
 }
 

@@ -247,14 +247,14 @@ TEST(Polygons, ThatCrossThemselvesAreToldOrRefusedWithTheirLine) {
   EXPECT_EQ(notes_of(star(5)),
             std::vector<std::string>{"x:6: the outline of the face crosses itself: it is cut to the least area"});
   EXPECT_EQ(notes_of(objOf({{0, 0}, {1, 0}, {0, 1}, {1, 1}}, flat)).size(), 1u) << "a bow tie";
-  EXPECT_EQ(support::messageOf([&] { notes_of(star(65)); }),
+  EXPECT_EQ(support::thrownMessage([&] { notes_of(star(65)); }),
             "x:66: the outline of the face of 65 corners crosses itself: it bounds no surface");
   Outline eight = ring(100, 10.0, [](double) { return 0.0; });
   std::reverse(eight.begin() + 30, eight.begin() + 70);
-  EXPECT_NE(support::messageOf([&] { notes_of(objOf(eight, flat)); }).find("crosses itself"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { notes_of(objOf(eight, flat)); }).find("crosses itself"), std::string::npos);
   Outline twice = ring(50, 10.0, [](double) { return 0.0; });
   twice.insert(twice.end(), twice.begin(), twice.begin() + 50);
-  EXPECT_NE(support::messageOf([&] { notes_of(objOf(twice, flat)); }).find("crosses itself"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { notes_of(objOf(twice, flat)); }).find("crosses itself"), std::string::npos);
 }
 
 TEST(Polygons, OnALineHaveNoAreaAndNoFault) {

@@ -38,7 +38,7 @@ TEST(PrivateFolder, OneThatIsThereIsClosedOnlyWhereThatIsAskedFor) {
   makePrivateFolder(folder / "old", ExistingFolder::closed);
   EXPECT_EQ(modeOfFolder(folder / "old"), 0700u);
   writeFile(folder / "file", "");
-  EXPECT_EQ(support::messageOf([&] { makePrivateFolder(folder / "file"); }),
+  EXPECT_EQ(support::thrownMessage([&] { makePrivateFolder(folder / "file"); }),
             (folder / "file").string() + ": cannot be made: File exists");
 }
 
@@ -55,15 +55,15 @@ TEST(PrivateFolder, OfSomebodyElseOrOpenOrALinkIsRefused) {
 TEST(PrivateFolder, AFileThatOthersMayReadIsRefusedAndOneOfAGroupWhereItMay) {
   const support::TemporaryFolder folder;
   const fs::path file = folder / "key";
-  EXPECT_EQ(support::messageOf([&] { requireClosedFile(file); }), file.string() + ": No such file or directory");
+  EXPECT_EQ(support::thrownMessage([&] { requireClosedFile(file); }), file.string() + ": No such file or directory");
   writePrivateFile(file, "secret");
   requireClosedFile(file);
   ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
-  requireClosedFile(file, OthersOfFile::group);
+  requireClosedFile(file, OtherReaders::group);
   const std::string words = file.string() + ": others may read or write it: chmod 600 " + file.string();
-  EXPECT_EQ(support::messageOf([&] { requireClosedFile(file); }), words);
+  EXPECT_EQ(support::thrownMessage([&] { requireClosedFile(file); }), words);
   ASSERT_EQ(::chmod(file.c_str(), 0602), 0);
-  EXPECT_EQ(support::messageOf([&] { requireClosedFile(file, OthersOfFile::group); }), words);
+  EXPECT_EQ(support::thrownMessage([&] { requireClosedFile(file, OtherReaders::group); }), words);
 }
 
 TEST(PrivateFolder, ForTemporaryFilesHasANameThatNobodyForesees) {
@@ -87,7 +87,7 @@ TEST(PrivateFolder, OfRunningProgramsIsCheckedBeforeItIsUsed) {
   EXPECT_EQ(runtimeFolder(), folder / "palpate");
   EXPECT_EQ(modeOfFolder(folder / "palpate"), 0700u);
   ASSERT_EQ(::chmod((folder / "palpate").c_str(), 0777), 0);
-  EXPECT_EQ(support::messageOf([] { runtimeFolder(); }),
+  EXPECT_EQ(support::thrownMessage([] { runtimeFolder(); }),
             (folder / "palpate").string() + ": must be a folder of this user alone (mode 700, no link)");
   before == nullptr ? ::unsetenv("XDG_RUNTIME_DIR") : ::setenv("XDG_RUNTIME_DIR", kept.c_str(), 1);
 }

@@ -58,7 +58,7 @@ TEST(Save, RefusesWhatTheFormatCannotHold) {
   TriangleMesh far = zoo::oneTriangle();
   for (Vec3& position : far.positions) position.x() += 4e8;
   EXPECT_EQ(
-      support::messageOf([&] { save(folder / "t.stl", far); }),
+      support::thrownMessage([&] { save(folder / "t.stl", far); }),
       (folder / "t.stl").string() + ": an STL file would round places so far from the origin: write .ply or .obj");
   EXPECT_THROW(save(folder / "t.ply", zoo::cube(), channels), Error);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
@@ -68,7 +68,7 @@ TEST(Save, AFullDiskIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
   const support::TemporaryFolder folder;
   std::filesystem::create_symlink("/dev/full", folder / "full.ply");
-  EXPECT_NE(support::messageOf([&] { save(folder / "full.ply", zoo::sphere()); }).find("No space left"),
+  EXPECT_NE(support::thrownMessage([&] { save(folder / "full.ply", zoo::sphere()); }).find("No space left"),
             std::string::npos);
 }
 

@@ -59,8 +59,8 @@ Notes notesOf(const std::string& text, Format format) {
   return loaded.notes;
 }
 
-std::string refusalOf(const std::string& text, Format format) {
-  return support::messageOf([&] { loadWithChannelsFromMemory(text, format, "x"); });
+std::string loadError(const std::string& text, Format format) {
+  return support::thrownMessage([&] { loadWithChannelsFromMemory(text, format, "x"); });
 }
 
 // --- one way to open a file ---
@@ -87,7 +87,7 @@ TEST(TextFiles, AreReadWithAnyLineEndsCapitalsAndAByteOrderMark) {
 TEST(TextFiles, InUtf16AreRefusedByThatReason) {
   for (const auto& [extension, format, text] : kFiles) {
     if (format == Format::stl) continue;  // any two bytes may begin a binary one
-    EXPECT_EQ(refusalOf("\xff\xfe" + text, format), "x:1: the text is UTF-16: save it as UTF-8");
+    EXPECT_EQ(loadError("\xff\xfe" + text, format), "x:1: the text is UTF-16: save it as UTF-8");
   }
 }
 
@@ -111,11 +111,11 @@ TEST(PlyRows, NeverTakeAValueOfAnotherLine) {
   EXPECT_EQ(notesOf(kPly + "0 1\n\n1 2\n", Format::ply),
             Notes{"x:18: a line behind the last row that the header names is passed over (2 times)"});
   EXPECT_EQ(notesOf(replaced(kPly, "1 0 0\n", "\n1 0 0\n\n"), Format::ply), Notes()) << "blank lines are no rows";
-  EXPECT_EQ(refusalOf(replaced(kPly, "1 0 0\n", "1 0\n"), Format::ply),
+  EXPECT_EQ(loadError(replaced(kPly, "1 0 0\n", "1 0\n"), Format::ply),
             "x:11: the row has fewer values than the header names");
-  EXPECT_EQ(refusalOf(replaced(kPly, "3 1 2 3\n", "3 1 2\n3\n"), Format::ply),
+  EXPECT_EQ(loadError(replaced(kPly, "3 1 2 3\n", "3 1 2\n3\n"), Format::ply),
             "x:16: the row has fewer values than the header names");
-  EXPECT_EQ(refusalOf(kPly.substr(0, kPly.size() - 8), Format::ply),
+  EXPECT_EQ(loadError(kPly.substr(0, kPly.size() - 8), Format::ply),
             "x:16: the file ends before all its elements are there");
 }
 
@@ -159,7 +159,7 @@ TEST(PlyHeads, AreReadAsProgramsWriteThem) {
   EXPECT_EQ(notesOf(replaced(kPly, "end_header", "viewpoint 0 0 0\nend_header"), Format::ply),
             Notes{"x:9: 'viewpoint' is not a keyword of a PLY header: the line is passed over"});
   EXPECT_EQ(notesOf(replaced(kPly, "property float x", "property half x"), Format::ply), Notes());
-  EXPECT_EQ(refusalOf(replaced(kPly, "vertex_indices", "corners"), Format::ply),
+  EXPECT_EQ(loadError(replaced(kPly, "vertex_indices", "corners"), Format::ply),
             "x:13: 'face' has no list 'vertex_indices'");
 }
 
@@ -176,7 +176,7 @@ TEST(OffRows, MayHaveCommentsColoursAndWhatNobodyNeeds) {
   EXPECT_EQ(notesOf(replaced(kOff, "1 0 0\n", "1 0 0 255 0 0\n"), Format::off),
             Notes{"x:4: what stands behind a vertex's place is passed over"});
   EXPECT_EQ(notesOf(kOff + "3 0 1 2\n", Format::off), Notes{"x:11: a line behind the last face is passed over"});
-  EXPECT_EQ(refusalOf(replaced(kOff, "1 0 0\n", "1 0\n0\n"), Format::off), "x:4: a coordinate is missing");
+  EXPECT_EQ(loadError(replaced(kOff, "1 0 0\n", "1 0\n0\n"), Format::off), "x:4: a coordinate is missing");
 }
 
 TEST(OffHeads, AreReadAsProgramsWriteThem) {
@@ -184,12 +184,12 @@ TEST(OffHeads, AreReadAsProgramsWriteThem) {
                            "# first\nOFF\n4\n4\n", "NOFF\n4 4 0\n", "STCNOFF\n4 4 0\n", "nOFF 3\n4 4 0\n"}) {
     EXPECT_EQ(notesOf(head + kOff.substr(kOff.find("0 0 0")), Format::off), Notes()) << head;
   }
-  EXPECT_EQ(refusalOf(replaced(kOff, "OFF", "4OFF"), Format::off),
+  EXPECT_EQ(loadError(replaced(kOff, "OFF", "4OFF"), Format::off),
             "x:1: OFF with a fourth coordinate (4OFF) cannot be read");
-  EXPECT_EQ(refusalOf(replaced(kOff, "OFF\n", "nOFF 4\n"), Format::off),
+  EXPECT_EQ(loadError(replaced(kOff, "OFF\n", "nOFF 4\n"), Format::off),
             "x:1: only OFF in 3 dimensions can be read, not in '4'");
-  EXPECT_EQ(refusalOf(replaced(kOff, "OFF\n", "OFF BINARY\n"), Format::off), "x:1: binary OFF cannot be read");
-  EXPECT_EQ(refusalOf(replaced(kOff, "OFF\n", "OFFICE\n"), Format::off), "x:1: 'OFF' is expected, not 'OFFICE'");
+  EXPECT_EQ(loadError(replaced(kOff, "OFF\n", "OFF BINARY\n"), Format::off), "x:1: binary OFF cannot be read");
+  EXPECT_EQ(loadError(replaced(kOff, "OFF\n", "OFFICE\n"), Format::off), "x:1: 'OFF' is expected, not 'OFFICE'");
 }
 
 TEST(ObjRows, GoOnBehindABackslashGluedOrNot) {
@@ -197,7 +197,7 @@ TEST(ObjRows, GoOnBehindABackslashGluedOrNot) {
   EXPECT_EQ(notesOf(replaced(kObj, "f 2 3 4", "f 2\\\r\n3 \\ \n \\\n4"), Format::obj), Notes());
   EXPECT_EQ(notesOf("# C:\\scans\\\n" + kObj, Format::obj), Notes()) << "a comment ends with its line";
   EXPECT_EQ(notesOf("mtllib a.mtl \\\n b.mtl\n" + kObj, Format::obj), Notes());
-  EXPECT_EQ(refusalOf("v 0 0 0\nv 0 0\\\n\\\n0 0\nf 1 2\\\n 9\n", Format::obj),
+  EXPECT_EQ(loadError("v 0 0 0\nv 0 0\\\n\\\n0 0\nf 1 2\\\n 9\n", Format::obj),
             "x:5: the face uses vertex 9, but there are 2 vertices");
 }
 
@@ -226,7 +226,7 @@ TEST(ObjGroups, OfFacesAndObjectsAreTwoThings) {
   EXPECT_EQ(triangles_of(in_group, "body"), 2u);
   EXPECT_EQ(triangles_of(in_group, "body_mesh"), 1u);
   EXPECT_EQ(triangles_of("o My body #1\nf 1 3 2\no b\nf 1 2 4\n", "My body #1"), 1u) << "a name with blanks";
-  EXPECT_EQ(support::messageOf([&] { triangles_of("g none\ng all\nf 1 3 2\n", "none"); }),
+  EXPECT_EQ(support::thrownMessage([&] { triangles_of("g none\ng all\nf 1 3 2\n", "none"); }),
             "x: the group or object 'none' has no faces");
 }
 
@@ -250,7 +250,7 @@ TEST(StlFiles, AreTextOrBinaryByWhatTheyHoldNotByTheirLength) {
     const auto longer = loadWithChannelsFromMemory(stl + std::string(92, 't'), Format::stl, "x");
     EXPECT_EQ(longer.mesh.triangles.size(), 7u) << header;
     EXPECT_EQ(longer.notes, Notes{"x: byte 434: 92 bytes behind the 7 triangles are passed over"}) << header;
-    EXPECT_EQ(refusalOf(stl.substr(0, 400), Format::stl),
+    EXPECT_EQ(loadError(stl.substr(0, 400), Format::stl),
               "x: byte 80: not an STL file, or damaged: 7 triangles need 434 bytes, the file has 400")
         << header;
   }

@@ -11,8 +11,8 @@
 namespace palpate::tissue {
 namespace {
 
-std::string faultOf(const std::string& text) {
-  return support::messageOf([&] { parseForceCurves(text, "f.csv"); });
+std::string errorMessage(const std::string& text) {
+  return support::thrownMessage([&] { parseForceCurves(text, "f.csv"); });
 }
 
 TEST(ForceCurves, AreOneWithoutAName) {
@@ -38,16 +38,16 @@ TEST(ForceCurves, AreReadFromAFile) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "f.csv") << "1,0.2\n";
   EXPECT_EQ(readForceCurves(folder / "f.csv").size(), 1u);
-  EXPECT_NE(support::messageOf([&] { readForceCurves(folder / "none.csv"); }).find("none.csv"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { readForceCurves(folder / "none.csv"); }).find("none.csv"), std::string::npos);
 }
 
 TEST(ForceCurves, NameTheLineThatIsWrong) {
-  support::expectEach(faultOf, {{"depth_mm,force\n1,2\n", "f.csv:1: the header has no column force_n"},
-                                {"depth_mm,force_n\n1,2\n1,2,3\n", "f.csv:3: has 3 fields instead of 2"},
-                                {"depth_mm,force_n\n1,two\n", "f.csv:2: force_n is not a number: 'two'"},
-                                {"1,inf\n", "f.csv:1: force_n is inf"},
-                                {"5000,1\n", "f.csv:1: depth_mm = 5000 is out of range: -1,000 to 1,000"},
-                                {"depth_mm,force_n\n", "f.csv: has no row depth_mm,force_n"}});
+  support::expectEach(errorMessage, {{"depth_mm,force\n1,2\n", "f.csv:1: the header has no column force_n"},
+                                     {"depth_mm,force_n\n1,2\n1,2,3\n", "f.csv:3: has 3 fields instead of 2"},
+                                     {"depth_mm,force_n\n1,two\n", "f.csv:2: force_n is not a number: 'two'"},
+                                     {"1,inf\n", "f.csv:1: force_n is inf"},
+                                     {"5000,1\n", "f.csv:1: depth_mm = 5000 is out of range: -1,000 to 1,000"},
+                                     {"depth_mm,force_n\n", "f.csv: has no row depth_mm,force_n"}});
 }
 
 }  // namespace

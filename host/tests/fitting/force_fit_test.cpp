@@ -51,7 +51,7 @@ double rmsOf(const ForceFit& fit, const ForceCurve& curve) {
   return std::sqrt(squares / static_cast<double>(curve.depth_mm.size()));
 }
 
-const ForceFit& fitOf(const std::vector<ForceFit>& fits, ForceForm form) {
+const ForceFit& findFit(const std::vector<ForceFit>& fits, ForceForm form) {
   return *std::ranges::find(fits, form, &ForceFit::form);
 }
 
@@ -173,9 +173,9 @@ TEST(ForceFit, ChoosesTheFormThatMadeTheCurve) {
 
 TEST(ForceFit, UnseenRowsSeeThroughAFormThatFollowsTheNoise) {
   const std::vector<ForceFit> fits = fitForces(PowerCurve{.rows = 24, .relative = 0.15}.with(9), {});
-  const ForceFit& measured = fitOf(fits, ForceForm::measured);
-  EXPECT_LT(measured.rms, fitOf(fits, ForceForm::power).rms) << "it goes through the rows";
-  EXPECT_GT(measured.unseen_rms, fitOf(fits, ForceForm::power).unseen_rms);
+  const ForceFit& measured = findFit(fits, ForceForm::measured);
+  EXPECT_LT(measured.rms, findFit(fits, ForceForm::power).rms) << "it goes through the rows";
+  EXPECT_GT(measured.unseen_rms, findFit(fits, ForceForm::power).unseen_rms);
 }
 
 TEST(ForceFit, IsATableThatASceneReads) {
@@ -214,7 +214,7 @@ TEST(ForceFit, PlacesOfDifferentShapeDoNotForetellEachOther) {
 
 TEST(ForceFit, RefusesACurveThatTellsNothing) {
   const auto fault = [](const ForceCurve& curve) {
-    return support::messageOf([&] { fitForce(curve, ForceForm::power, {}); });
+    return support::thrownMessage([&] { fitForce(curve, ForceForm::power, {}); });
   };
   EXPECT_EQ(fault({"T6", {-1.0, 0.0, 1.0, 2.0, 2.0, 3.0}, {0, 0, 1, 2, 2, 3}}),
             "curve 'T6' has 3 depths below the skin; 4 are needed");

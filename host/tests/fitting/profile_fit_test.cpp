@@ -121,7 +121,7 @@ TEST(ProfileFit, MakesShapesThatATableTakes) {
     const SkinProfile profile = MadeSkin{.depth_mm = depth}.like(bulging, [](double r) { return 0.01 * r; });
     table.shapes.push_back(shapeOf(fitProfile(profile, ProfileForm::measured), table.radii_mm));
   }
-  EXPECT_EQ(support::messageOf([&] { check(table); }), "no error");
+  EXPECT_EQ(support::thrownMessage([&] { check(table); }), "no error");
   EXPECT_EQ(table.radii_mm.front(), 0.0);
   EXPECT_EQ(table.radii_mm.back(), 60.0);
   for (std::size_t i = 0; i < table.radii_mm.size(); ++i) {
@@ -141,12 +141,12 @@ TEST(ProfileFit, OneCurveServesSkinThatOnlyGrowsWider) {
   EXPECT_LT(shared.rms, 0.01);
   EXPECT_NEAR(shared.radius_mm, 2.0 * 12.0, 2.0);
   EXPECT_NEAR(shared.radius_per_depth, 2.0 * 1.5, 0.3);
-  EXPECT_EQ(support::messageOf([&] { checkProfileKnots(shared.knots); }), "no error");
+  EXPECT_EQ(support::thrownMessage([&] { checkProfileKnots(shared.knots); }), "no error");
 }
 
 TEST(ProfileFit, RefusesPlacesThatTellNothing) {
   const auto fault = [](const SkinProfile& profile) {
-    return support::messageOf([&] { fitProfile(profile, ProfileForm::half_gaussian); });
+    return support::thrownMessage([&] { fitProfile(profile, ProfileForm::half_gaussian); });
   };
   EXPECT_EQ(fault({2.5, {0, 0, 1, 2, 3, 4}, {1, 1, 1, 1, 1, 1}, {}}), "depth 2.5 mm: 5 radii; 6 are needed");
   EXPECT_EQ(fault({2.5, {0, 1, 2, 3, 4, 5}, {0, 0, -1, 0, 0, 0}, {}}), "depth 2.5 mm: the skin goes down nowhere");
@@ -167,7 +167,7 @@ TEST(SkinProfiles, AreReadByDepthAndRadius) {
 
 TEST(SkinProfiles, NameTheLineThatIsWrong) {
   const auto fault = [](const std::string& text) {
-    return support::messageOf([&] { parseSkinProfiles(text, "p.csv"); });
+    return support::thrownMessage([&] { parseSkinProfiles(text, "p.csv"); });
   };
   EXPECT_EQ(fault("1,2,3\n"), "p.csv:1: the header has no column depth_mm");
   EXPECT_EQ(fault("depth_mm,r_mm,down_mm\n1,0,1\n1,-2,1\n"), "p.csv:3: r_mm = -2 is out of range: 0 to 10,000");

@@ -148,7 +148,7 @@ void judge(const Ground& ground, const AnatomicalReach& reach, const nlohmann::j
 }
 
 /// Over the named cases, each load at each place.
-Errors errorsOf(const std::vector<std::string>& names, const std::vector<Loads>& kinds) {
+Errors rmsErrors(const std::vector<std::string>& names, const std::vector<Loads>& kinds) {
   Errors errors;
   for (const nlohmann::json& row : test::goldenRows("uneven_bone", "cases")) {
     if (std::find(names.begin(), names.end(), row["name"].get<std::string>()) == names.end()) continue;
@@ -171,7 +171,7 @@ const std::vector<std::string> kHeldBack = {"ribs", "seam"};
 
 TEST(AnatomicalReach, APressOverUnevenBoneReachesAsFiniteElementsHaveIt) {
   for (const Loads& kind : {kPress, kQuarter}) {
-    const Errors errors = errorsOf(kBones, {kind});
+    const Errors errors = rmsErrors(kBones, {kind});
     EXPECT_LT(errors.bent, 0.035) << kind.name;
     EXPECT_LT(errors.ellipse, 0.055) << kind.name << ": the part that an ellipse can have";
     EXPECT_GT(errors.flat, 2.0 * errors.bent) << kind.name;
@@ -179,14 +179,14 @@ TEST(AnatomicalReach, APressOverUnevenBoneReachesAsFiniteElementsHaveIt) {
 }
 
 TEST(AnatomicalReach, ADragOverUnevenBoneReachesAsFiniteElementsHaveIt) {
-  const Errors errors = errorsOf(kBones, {kDragX, kDragY});
+  const Errors errors = rmsErrors(kBones, {kDragX, kDragY});
   EXPECT_LT(errors.bent, 0.11);
   EXPECT_LT(errors.ellipse, 0.13);
   EXPECT_GT(errors.flat, 1.5 * errors.bent);
 }
 
 TEST(AnatomicalReach, ADragEndsAtAFold) {
-  const Errors errors = errorsOf(kFolds, {kDragX, kDragY});
+  const Errors errors = rmsErrors(kFolds, {kDragX, kDragY});
   EXPECT_LT(errors.bent, 0.13);
   EXPECT_LT(errors.ellipse, 0.28) << "an ellipse has to be short on both sides";
   EXPECT_GT(errors.flat, 3.0 * errors.bent);
@@ -194,7 +194,7 @@ TEST(AnatomicalReach, ADragEndsAtAFold) {
 
 TEST(AnatomicalReach, HoldsWhereItsRulesWereNotChosen) {
   for (const Loads& kind : {kPress, kQuarter, kDragX, kDragY}) {
-    const Errors errors = errorsOf(kHeldBack, {kind});
+    const Errors errors = rmsErrors(kHeldBack, {kind});
     EXPECT_LT(errors.bent, 0.8 * errors.flat) << kind.name << ' ' << errors.bent;
   }
 }

@@ -120,9 +120,9 @@ class BodyStoreFiles : public ::testing::Test {
     fs::last_write_time(file, fs::file_time_type::clock::now() - hours);
   }
   /// The file that keeping this body adds.
-  fs::path keep(const BodySettings& settings, const BodyParts& parts) const {
+  fs::path addBodyFile(const BodySettings& settings, const BodyParts& parts) const {
     const std::vector<fs::path> before = files();
-    keepBody(settings, parts);
+    storeBody(settings, parts);
     for (const fs::path& file : files()) {
       if (std::find(before.begin(), before.end(), file) == before.end()) return file;
     }
@@ -217,7 +217,7 @@ TEST_F(BodyStoreFiles, AreNotBelievedByTheirName) {
   const fs::path own = files().at(0);
   BodySettings other = smallTrunk();
   other.shape.girth = 1.1;
-  const fs::path file = keep(other, parts);
+  const fs::path file = addBodyFile(other, parts);
   fs::copy_file(own, file, fs::copy_options::overwrite_existing);
   EXPECT_FALSE(keptBody(other));
   EXPECT_TRUE(keptBody(smallTrunk()));
@@ -274,7 +274,7 @@ TEST_F(BodyStoreFiles, OfAnotherOrAnOpenFolderAreNeitherReadNorWritten) {
   const BodyParts parts = makeBody(smallTrunk(), {});
   fs::permissions(bodies(), fs::perms::others_read | fs::perms::others_exec, fs::perm_options::add);
   EXPECT_FALSE(keptBody(smallTrunk()));
-  keepBody(bodySettings(BodyKind::trunk, 9000), parts);
+  storeBody(bodySettings(BodyKind::trunk, 9000), parts);
   EXPECT_EQ(files().size(), 1u);
   fs::permissions(bodies(), fs::perms::owner_all);
   EXPECT_TRUE(keptBody(smallTrunk()));
@@ -290,7 +290,7 @@ TEST_F(BodyStoreFiles, AreDoneWithoutWhereThereIsNoPlaceForThem) {
   const BodyParts made = makeBody(settings, {});
   EXPECT_FALSE(keptBody(settings));
   const Variable no_cache("XDG_CACHE_HOME", ""), no_home("HOME", "");
-  keepBody(settings, made);
+  storeBody(settings, made);
   EXPECT_FALSE(keptBody(settings));
   EXPECT_TRUE(files().empty());
 }
@@ -299,18 +299,18 @@ TEST_F(BodyStoreFiles, ThatWereNotUsedForLongestGoFirst) {
   const BodyParts parts = makeBody(smallTrunk(), {});
   const fs::path first = files().at(0);
   const BodySettings b = bodySettings(BodyKind::trunk, 9000), c = bodySettings(BodyKind::trunk, 10000);
-  const fs::path second = keep(b, parts);
+  const fs::path second = addBodyFile(b, parts);
   const double each_mb = static_cast<double>(fs::file_size(first)) / 1e6;
   const Variable two("PALPATE_BODY_CACHE_MB", std::to_string(2.5 * each_mb));
   letBeUnusedFor(first, std::chrono::hours(2));
   letBeUnusedFor(second, std::chrono::hours(1));
   EXPECT_TRUE(keptBody(smallTrunk()));  // used now
-  const fs::path third = keep(c, parts);
+  const fs::path third = addBodyFile(c, parts);
   EXPECT_FALSE(fs::exists(second));
   EXPECT_TRUE(fs::exists(first));
   EXPECT_TRUE(fs::exists(third));
   const Variable half("PALPATE_BODY_CACHE_MB", std::to_string(0.5 * each_mb));
-  keepBody(b, parts);
+  storeBody(b, parts);
   EXPECT_FALSE(fs::exists(second)) << "more than the folder may hold";
   EXPECT_TRUE(fs::exists(first));
 }
@@ -330,7 +330,7 @@ TEST_F(BodyStoreFiles, MayBeWrittenByManyProcessesAtOnce) {
     if (child == 0) {
       bool good = true;
       for (int time = 0; time < kTimes; ++time) {
-        keepBody(settings, parts);
+        storeBody(settings, parts);
         const std::optional<BodyParts> kept = keptBody(settings);
         good = good && kept && encodedBody({settings.triangles, *kept}) == whole;
       }

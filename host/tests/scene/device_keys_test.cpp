@@ -41,7 +41,7 @@ TEST(DeviceKeys, AreReadWithTheirDefaults) {
 }
 
 std::string refusal(const std::string& line) {
-  return support::messageOf([&] { parse("[[device]]\nname = \"remote\"\n" + line + "\n", "s.toml"); });
+  return support::thrownMessage([&] { parse("[[device]]\nname = \"remote\"\n" + line + "\n", "s.toml"); });
 }
 
 TEST(DeviceKeys, RefuseWhatMakesNoSense) {
@@ -52,7 +52,7 @@ TEST(DeviceKeys, RefuseWhatMakesNoSense) {
   EXPECT_NE(refusal("origin_mm = [nan, 0, 0]"), "no error");
   EXPECT_NE(refusal("finger = \"thumb\"").find("left"), std::string::npos) << "names the choices";
   EXPECT_NE(refusal("scael = 2").find("scale"), std::string::npos);
-  EXPECT_NE(support::messageOf([] { parse("[[device]]\nscale = 2\n", "s.toml"); }).find("needs a name"),
+  EXPECT_NE(support::thrownMessage([] { parse("[[device]]\nscale = 2\n", "s.toml"); }).find("needs a name"),
             std::string::npos);
 }
 

@@ -17,17 +17,17 @@ namespace {
 
 std::string lump(const std::string& keys) { return "[[lump]]\n" + keys; }
 
-LumpSettings lumpOf(const std::string& keys) { return parse(lump(keys), "s.toml").lumps.at(0); }
+LumpSettings parseLump(const std::string& keys) { return parse(lump(keys), "s.toml").lumps.at(0); }
 
 TEST(LumpKeys, AreReadWithTheirDefaults) {
-  const LumpSettings plain = lumpOf("x_mm = 3\n");
+  const LumpSettings plain = parseLump("x_mm = 3\n");
   EXPECT_EQ(plain.name, "");
   EXPECT_EQ(plain.depth_mm, 8.0);
   EXPECT_EQ(plain.halfAxes(), Vec3(5, 5, 5));
   EXPECT_EQ(plain.stiffness_ratio, 5.0);
   EXPECT_EQ(plain.young_kpa, 0.0);
   EXPECT_EQ(plain.mobility_mm_per_n, 0.0);
-  const LumpSettings full = lumpOf(
+  const LumpSettings full = parseLump(
       "name = \"node\"\nat = \"T9 right 30 mm\"\ndepth_mm = 6\nhalf_axes_mm = [6, 6, 3]\nyoung_kpa = 60\nedge = 0.5\n"
       "mobility_mm_per_n = 2\nmobility_limit_mm = 4\n");
   EXPECT_EQ(full.at, "T9 right 30 mm");
@@ -87,11 +87,11 @@ class LumpsInADome : public DomeScene {
     tissue::writeLayeredTable(folder_ / "bare.json", table);
   }
   /// The lumps' first line is the sixth.
-  std::shared_ptr<const World> worldOf(const std::string& lumps, const std::string& table = "back.json") const {
+  std::shared_ptr<const World> buildLumpWorld(const std::string& lumps, const std::string& table = "back.json") const {
     return build(meshScene("[tissue]\nlayer_table = \"" + table + "\"\n" + lumps));
   }
   std::string messageOfBuild(const std::string& lumps, const std::string& table = "back.json") const {
-    std::string message = support::messageOf([&] { worldOf(lumps, table); });
+    std::string message = support::thrownMessage([&] { buildLumpWorld(lumps, table); });
     const std::string folder = folder_.path().string() + "/";
     for (auto at = message.find(folder); at != std::string::npos; at = message.find(folder)) {
       message.erase(at, folder.size());
@@ -101,7 +101,7 @@ class LumpsInADome : public DomeScene {
 };
 
 TEST_F(LumpsInADome, ALumpIsPlacedUnderTheSkinAndTold) {
-  const auto world = worldOf("[[lump]]\nname = \"a\"\nx_mm = 5\ny_mm = 5\ndepth_mm = 5\nyoung_kpa = 60\n");
+  const auto world = buildLumpWorld("[[lump]]\nname = \"a\"\nx_mm = 5\ny_mm = 5\ndepth_mm = 5\nyoung_kpa = 60\n");
   ASSERT_EQ(world->lumps.size(), 1u);
   ASSERT_EQ(world->surface.lumps->all.size(), 1u);
   const PlacedLump& placed = *world->lumps[0];
@@ -131,7 +131,7 @@ TEST_F(LumpsInADome, ThoseThatCannotBeThereAreRefusedWithFileAndLine) {
             "s.toml:6: lump 'lump1' has no skin over it at x_mm = 500, y_mm = 0");
   EXPECT_EQ(messageOfBuild("[[lump]]\n", "bare.json"),
             "s.toml:6: bare.json has no field, which lumps need: palpate tissue solve --field");
-  EXPECT_EQ(support::messageOf([&] { build(meshScene("[[lump]]\n")); }),
+  EXPECT_EQ(support::thrownMessage([&] { build(meshScene("[[lump]]\n")); }),
             (folder_ / "s.toml").string() + ":4: lumps need layered tissue: give [tissue] layer_table");
   std::string many;
   for (int i = 0; i <= 64; ++i) many += "[[lump]]\n";
@@ -141,19 +141,19 @@ TEST_F(LumpsInADome, ThoseThatCannotBeThereAreRefusedWithFileAndLine) {
 }
 
 TEST_F(LumpsInADome, NeighboursThatPassTheLoadOnAreNoted) {
-  const auto near = worldOf("[[lump]]\n[[lump]]\nx_mm = 13\n");
+  const auto near = buildLumpWorld("[[lump]]\n[[lump]]\nx_mm = 13\n");
   EXPECT_TRUE(std::ranges::any_of(near->notes, [](const std::string& note) {
     return note.find("'lump1' and 'lump2' are 2.") != std::string::npos;
   }));
-  const auto far = worldOf("[[lump]]\n[[lump]]\nx_mm = 16\n");
+  const auto far = buildLumpWorld("[[lump]]\n[[lump]]\nx_mm = 16\n");
   EXPECT_TRUE(std::ranges::none_of(far->notes,
                                    [](const std::string& note) { return note.find("apart") != std::string::npos; }));
 }
 
 TEST_F(LumpsInADome, TheForceFollowsTheStiffnessOfThePlace) {
   const std::string one = "[[lump]]\nx_mm = 0\n";
-  const auto soft = worldOf(one + "[stiffness]\nconstant_n_per_mm = 0.3\n");
-  const auto stiff = worldOf(one + "[stiffness]\nconstant_n_per_mm = 0.6\n");
+  const auto soft = buildLumpWorld(one + "[stiffness]\nconstant_n_per_mm = 0.3\n");
+  const auto stiff = buildLumpWorld(one + "[stiffness]\nconstant_n_per_mm = 0.6\n");
   const auto energy = [](const World& world) { return world.lumps[0]->lump.energy.at(3.0, 4.0).energy_n_mm; };
   EXPECT_NEAR(energy(*stiff), 2.0 * energy(*soft), 1e-12);
   EXPECT_NEAR(stiff->lumps[0]->share[1], soft->lumps[0]->share[1], 1e-12);
@@ -163,8 +163,8 @@ TEST_F(LumpsInADome, NoPlaceIsSteeperThanALoopHolds) {
   std::size_t bounded = 0;
   for (const double stiffness : {0.3, 0.8, 1.3, 1.8}) {
     for (const std::string size : {"diameter_mm = 10\n", "half_axes_mm = [12, 12, 8]\n"}) {
-      const auto world = worldOf("[[lump]]\nx_mm = 5\ndepth_mm = 3\nyoung_kpa = 1000\n" + size +
-                                 "[stiffness]\nconstant_n_per_mm = " + std::to_string(stiffness) + "\n");
+      const auto world = buildLumpWorld("[[lump]]\nx_mm = 5\ndepth_mm = 3\nyoung_kpa = 1000\n" + size +
+                                        "[stiffness]\nconstant_n_per_mm = " + std::to_string(stiffness) + "\n");
       const PlacedLump& placed = *world->lumps[0];
       const tissue::PressedPlace fingertip{placed.thickness_mm, tissue::kFingertipMm};
       for (double depth = 0.25; depth <= placed.lump.energy.deepestMm(); depth += 0.25) {
@@ -182,7 +182,7 @@ TEST_F(LumpsInADome, NoPlaceIsSteeperThanALoopHolds) {
 }
 
 TEST_F(LumpsInADome, AnotherMapTakesTheTablesOver) {
-  const auto world = worldOf("[[lump]]\nx_mm = 5\n");
+  const auto world = buildLumpWorld("[[lump]]\nx_mm = 5\n");
   Scene scene = world->scene;
   scene.dysfunctions.push_back({.x_mm = 5, .y_mm = 0, .radius_mm = 15, .change_percent = 50});
   const auto next = rebuilt(*world, scene);
@@ -191,7 +191,7 @@ TEST_F(LumpsInADome, AnotherMapTakesTheTablesOver) {
 }
 
 TEST_F(LumpsInADome, ASwellingIsSeenAndFeltAtRestAndGoesWithItsLump) {
-  const auto world = worldOf("[[lump]]\nraise_mm = 3\n");  // over a vertex
+  const auto world = buildLumpWorld("[[lump]]\nraise_mm = 3\n");  // over a vertex
   EXPECT_NEAR(world->lumps[0]->lump.foot.z(), 20.0 + 3.0, 0.1);
   EXPECT_NEAR(world->body->box.max().z(), 23.0, 0.1);
   Scene flat = world->scene;
@@ -203,7 +203,7 @@ TEST_F(LumpsInADome, ASwellingIsSeenAndFeltAtRestAndGoesWithItsLump) {
 }
 
 TEST_F(LumpsInADome, AWorldWithoutLumpsIsAsItWas) {
-  const auto world = worldOf("");
+  const auto world = buildLumpWorld("");
   EXPECT_EQ(world->surface.lumps, nullptr);
   EXPECT_EQ(world->pressure, nullptr);
   EXPECT_TRUE(world->lumps.empty());

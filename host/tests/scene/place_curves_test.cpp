@@ -184,7 +184,7 @@ TEST(PlaceCurves, AreReadAndWrittenWithTheirScene) {
 TEST(PlaceCurves, RefuseWhatACurveCannotBe) {
   Scene scene = smallTrunk(TissueModel::gaussian);
   scene.profiles = {{.press = ProfileKind::logarithm, .at = "T6"}};
-  const std::string message = support::messageOf([&] { build(scene); });
+  const std::string message = support::thrownMessage([&] { build(scene); });
   EXPECT_EQ(message.find("[[profile]] press = \"logarithm\": no smooth curve comes nearer to it than 19 %"), 0u)
       << message;
   EXPECT_EQ(messageFor("[[profile]]\nat = \"T6\"\npress = \"user\"\n" + kFinger),

@@ -155,7 +155,7 @@ TEST(SceneFile, NamesWrongTypesAndRanges) {
 TEST(SceneFile, NeedsNoFingersForAWorldButForARun) {
   const Scene scene = parse("title = \"nobody\"\n", "s.toml");
   EXPECT_TRUE(scene.fingers.empty());
-  EXPECT_EQ(support::messageOf([&] { requireFingers(scene); }),
+  EXPECT_EQ(support::thrownMessage([&] { requireFingers(scene); }),
             "s.toml: has no [[finger]]: nobody would touch anything");
   EXPECT_NO_THROW(requireFingers(parse(kFinger, "s.toml")));
 }

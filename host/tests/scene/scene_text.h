@@ -13,7 +13,7 @@ inline const std::string kFinger = "[[finger]]\nname = \"index\"\nscript = [{ do
 
 /// What is said of a scene that cannot be read; "no error" of one that can.
 inline std::string messageFor(const std::string& toml) {
-  return support::messageOf([&] { parse(toml, "s.toml"); });
+  return support::thrownMessage([&] { parse(toml, "s.toml"); });
 }
 /// The same of a scene with that finger.
 inline std::string messageWithFinger(const std::string& toml) { return messageFor(toml + kFinger); }

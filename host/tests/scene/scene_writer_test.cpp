@@ -75,7 +75,7 @@ TEST(SceneWriter, NamesFilesRelativeToItsFolderWhereTheyLieInIt) {
 }
 
 TEST(SceneWriter, SaysWhichFileCannotBeWritten) {
-  const std::string message = support::messageOf([] { save({}, "/dev/null/folder/scene.toml"); });
+  const std::string message = support::thrownMessage([] { save({}, "/dev/null/folder/scene.toml"); });
   EXPECT_NE(message.find("/dev/null/folder/scene.toml"), std::string::npos) << message;
 }
 

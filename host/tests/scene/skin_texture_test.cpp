@@ -25,12 +25,12 @@ class SkinTextureOf : public testing::Test {
     writeFile(folder_ / "ball.obj", support::texturedObjBytes(zoo::soup(zoo::sphere()), support::onSphere));
     writeFile(folder_ / "skin.png", kPng);
   }
-  Scene sceneOf(const std::string& body) const {
+  Scene parseScene(const std::string& body) const {
     return parse("[body]\nkind = \"mesh\"\n" + body + "\n" + kFinger, (folder_ / "s.toml").string());
   }
   /// What is said of a body, with the scene's folder left out.
-  std::string refusalOf(const std::string& body) const {
-    std::string message = support::messageOf([&] { build(sceneOf(body)); });
+  std::string buildError(const std::string& body) const {
+    std::string message = support::thrownMessage([&] { build(parseScene(body)); });
     const std::string folder = folder_.path().string() + "/";
     for (auto at = message.find(folder); at != std::string::npos; at = message.find(folder)) {
       message.erase(at, folder.size());
@@ -41,7 +41,7 @@ class SkinTextureOf : public testing::Test {
 };
 
 TEST_F(SkinTextureOf, ABodyLiesOnTheSkinAsItsFileSays) {
-  const auto world = build(sceneOf("file = \"ball.obj\"\nunit = \"cm\"\nscale = 0.5\ntexture = \"skin.png\""));
+  const auto world = build(parseScene("file = \"ball.obj\"\nunit = \"cm\"\nscale = 0.5\ntexture = \"skin.png\""));
   ASSERT_TRUE(world->body->texture);
   EXPECT_EQ(world->body->texture->picture, kPng);
   const auto expected = support::cornersBy(support::onSphere, world->body->skin);
@@ -54,30 +54,30 @@ TEST_F(SkinTextureOf, ABodyLiesOnTheSkinAsItsFileSays) {
 }
 
 TEST_F(SkinTextureOf, ABodyIsNoneUnlessItIsAskedFor) {
-  EXPECT_FALSE(build(sceneOf("file = \"ball.obj\""))->body->texture);
+  EXPECT_FALSE(build(parseScene("file = \"ball.obj\""))->body->texture);
 }
 
 TEST_F(SkinTextureOf, ABodyStaysWhenOnlyTheMapsChange) {
-  const auto world = build(sceneOf("file = \"ball.obj\"\ntexture = \"skin.png\""));
+  const auto world = build(parseScene("file = \"ball.obj\"\ntexture = \"skin.png\""));
   Scene scene = world->scene;
   scene.stiffness.constant_n_per_mm = 0.9;
   EXPECT_EQ(rebuilt(*world, scene)->body->texture, world->body->texture);
 }
 
 TEST_F(SkinTextureOf, ABodyIsWrittenWithItsScene) {
-  const Scene scene = sceneOf("file = \"ball.obj\"\ntexture = \"skin.png\"");
+  const Scene scene = parseScene("file = \"ball.obj\"\ntexture = \"skin.png\"");
   EXPECT_NE(sceneAsToml(scene, folder_.path()).find("texture = \"skin.png\"\n"), std::string::npos);
 }
 
 TEST_F(SkinTextureOf, ABodySaysWhatIsWrongAndWhere) {
-  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"none.png\"").find("s.toml:4: [body] texture: none.png: "), 0u);
-  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"ball.obj\""),
+  EXPECT_EQ(buildError("file = \"ball.obj\"\ntexture = \"none.png\"").find("s.toml:4: [body] texture: none.png: "), 0u);
+  EXPECT_EQ(buildError("file = \"ball.obj\"\ntexture = \"ball.obj\""),
             "s.toml:4: [body] texture: ball.obj: is neither a PNG nor a JPEG picture");
   writeFile(folder_ / "bare.obj", support::objBytes(zoo::cube(100.0)));
-  EXPECT_EQ(refusalOf("texture = \"skin.png\"\nfile = \"bare.obj\""),
+  EXPECT_EQ(buildError("texture = \"skin.png\"\nfile = \"bare.obj\""),
             "s.toml:3: [body] texture: bare.obj: has no texture coordinates (OBJ, glTF and GLB can)");
   writeFile(folder_ / "bare.glb", support::glbBytes(zoo::cube(0.1)));
-  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"bare.glb\""),
+  EXPECT_EQ(buildError("file = \"ball.obj\"\ntexture = \"bare.glb\""),
             "s.toml:4: [body] texture: bare.glb: has no base colour texture");
 }
 
@@ -116,9 +116,9 @@ TEST_F(SkinTextureOf, AMadeBodyNeedsAWholeNumberAndABuiltInBody) {
     source.file = file;
     EXPECT_EQ(madeSeed(source), seed) << file;
   }
-  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"made:x\""),
+  EXPECT_EQ(buildError("file = \"ball.obj\"\ntexture = \"made:x\""),
             "s.toml:4: [body] texture: the seed in 'made:x' must be a whole number, as in made:7");
-  EXPECT_EQ(refusalOf("file = \"ball.obj\"\ntexture = \"made\""),
+  EXPECT_EQ(buildError("file = \"ball.obj\"\ntexture = \"made\""),
             "s.toml:4: [body] texture: made is for the trunk, the torso and the back");
 }
 

@@ -63,7 +63,7 @@ struct Written {
 };
 
 /// Values that a key takes, other than the one it has when it is left out as far as there are any.
-std::vector<std::string> valuesOf(const KeyRow& row) {
+std::vector<std::string> alternativeValues(const KeyRow& row) {
   if (row.key == "pad" || row.key == "mobility_mm_per_n") return {"2"};  // 0 is none, and a little is refused
   if (row.key == "young_kpa") return {"60"};
   switch (row.form.kind) {
@@ -118,7 +118,7 @@ class EveryKey : public DomeScene {
     std::vector<Written> all;
     for (const KeyRow& row : describeKeys()) {
       if (row.table == "[body]" || row.table == "[[device]]" || row.table.starts_with("script")) continue;
-      for (const std::string& value : valuesOf(row)) {
+      for (const std::string& value : alternativeValues(row)) {
         if (row.table == "[[profile]]" && value == "\"logarithm\"") continue;  // refused for a place
         all.push_back({row.table + " " + row.key + " = " + value, sceneWith(row, value)});
       }
@@ -156,7 +156,7 @@ TEST_F(EveryKey, ThatChangesTissueOrLawIsAnnounced) {
     ASSERT_EQ(notes.size(), as_asked ? 0u : 1u) << key.name;
     if (as_asked) continue;
     ++announced;
-    EXPECT_NE(notes[0].find(inWords(world->tissue)), std::string::npos) << key.name << ": " << notes[0];
+    EXPECT_NE(notes[0].find(describe(world->tissue)), std::string::npos) << key.name << ": " << notes[0];
     const std::string value = key.name.substr(key.name.find_last_of(' ') + 1);
     EXPECT_NE(notes[0].find(std::string(trimmed(value))), std::string::npos) << key.name << ": " << notes[0];
   }
@@ -170,7 +170,7 @@ TEST_F(EveryKey, OfTheBodyLeavesLayersWhereThereAreBones) {
   std::size_t tried = 0;
   for (const KeyRow& row : describeKeys()) {
     if (row.table != "[body]") continue;
-    for (std::string value : valuesOf(row)) {
+    for (std::string value : alternativeValues(row)) {
       if (row.key == "triangles") value = "83166";
       const std::string mesh = value == "\"mesh\"" ? "file = \"dome.obj\"\n" : "";
       const Scene scene = parse("[body]\n" + row.key + " = " + value + "\n" + mesh + kFinger, "s.toml");
@@ -188,7 +188,7 @@ TEST_F(EveryKey, ThatIsLeftOutLeavesLayers) {
   EXPECT_TRUE(movesInLayers(*world));
   EXPECT_FALSE(isHooke(*world));
   EXPECT_TRUE(world->notes.empty());
-  EXPECT_EQ(inWords(world->tissue), "layered tissue, force by its layers");
+  EXPECT_EQ(describe(world->tissue), "layered tissue, force by its layers");
 }
 
 TEST_F(EveryKey, OfTheDragsRegionAndItsPrintedFormsActsOnLayers) {
@@ -218,7 +218,7 @@ TEST_F(EveryKey, OfABodyWithoutBonesNamesThemInsteadOfANote) {
   const auto world = build(meshScene());
   EXPECT_TRUE(world->notes.empty());
   EXPECT_EQ(world->tissue.instead_of_layers, std::vector<std::string>{"a body without bones"});
-  EXPECT_EQ(inWords(world->tissue), "half-Gaussian tissue, force F = k d");
+  EXPECT_EQ(describe(world->tissue), "half-Gaussian tissue, force F = k d");
 }
 
 TEST_F(EveryKey, MeasuredContoursAreWhereATenthOfALayeredDragIsLeft) {

@@ -27,7 +27,7 @@ std::string repeated(const std::string& text, std::size_t times) {
 }
 
 /// What the reader of scenes says of a text; empty if it takes it.
-std::string refusalOf(const std::string& text) {
+std::string parseError(const std::string& text) {
   try {
     parseToml(text, "file.toml");
   } catch (const Error& error) {
@@ -43,10 +43,10 @@ constexpr const char* kTooDeep = "file.toml:2: is nested more than 16 levels dee
 
 TEST(TomlLimits, AKeyOfFiftyThousandPartsIsRefusedInEveryForm) {
   const std::string key = keyOfParts(50'000);
-  EXPECT_EQ(refusalOf("# first line\n" + key + " = 1\n"), kTooManyParts);
-  EXPECT_EQ(refusalOf("# first line\n[" + key + "]\n"), kTooManyParts);
-  EXPECT_EQ(refusalOf("# first line\n[[" + key + "]]\n"), kTooManyParts);
-  EXPECT_EQ(refusalOf("# first line\nb = { " + key + " = 1 }\n"), kTooManyParts);
+  EXPECT_EQ(parseError("# first line\n" + key + " = 1\n"), kTooManyParts);
+  EXPECT_EQ(parseError("# first line\n[" + key + "]\n"), kTooManyParts);
+  EXPECT_EQ(parseError("# first line\n[[" + key + "]]\n"), kTooManyParts);
+  EXPECT_EQ(parseError("# first line\nb = { " + key + " = 1 }\n"), kTooManyParts);
 }
 
 TEST(TomlLimits, ASceneWithSuchAKeyIsAnErrorOfItsLine) {
@@ -60,15 +60,15 @@ TEST(TomlLimits, ASceneWithSuchAKeyIsAnErrorOfItsLine) {
 }
 
 TEST(TomlLimits, PartsInQuotesAndWithBlanksCountToo) {
-  EXPECT_EQ(refusalOf("\n" + repeated("\"b\" . ", 16) + "c = 1\n"), kTooManyParts);
-  EXPECT_EQ(refusalOf("\n" + repeated("'b.' .\t", 16) + "c = 1\n"), kTooManyParts);
+  EXPECT_EQ(parseError("\n" + repeated("\"b\" . ", 16) + "c = 1\n"), kTooManyParts);
+  EXPECT_EQ(parseError("\n" + repeated("'b.' .\t", 16) + "c = 1\n"), kTooManyParts);
 }
 
 TEST(TomlLimits, AKeyOfAsManyPartsAsThereMayBeIsRead) {
   for (const std::string form : {"{} = 1\n", "[{}]\n", "[[{}]]\n", "b = { {} = 1 }\n"}) {
     std::string text = form;
     text.replace(text.find("{}"), 2, keyOfParts(kMaxTomlKeyParts));
-    EXPECT_EQ(refusalOf(text), "") << text;
+    EXPECT_EQ(parseError(text), "") << text;
   }
 }
 
@@ -79,23 +79,23 @@ TEST(TomlLimits, BracketsWithinBracketsAreCounted) {
     const auto text = [&](std::size_t levels) {
       return "\na = " + repeated(open, levels) + "1" + repeated(close, levels) + "\n";
     };
-    EXPECT_EQ(refusalOf(text(kMaxTomlNesting)), "") << open;
-    EXPECT_EQ(refusalOf(text(kMaxTomlNesting + 1)), kTooDeep) << open;
-    EXPECT_EQ(refusalOf(text(100'000)), kTooDeep) << open;
+    EXPECT_EQ(parseError(text(kMaxTomlNesting)), "") << open;
+    EXPECT_EQ(parseError(text(kMaxTomlNesting + 1)), kTooDeep) << open;
+    EXPECT_EQ(parseError(text(100'000)), kTooDeep) << open;
   }
-  EXPECT_EQ(refusalOf("\na = " + repeated("[", 100'000)), kTooDeep);
+  EXPECT_EQ(parseError("\na = " + repeated("[", 100'000)), kTooDeep);
 }
 
 TEST(TomlLimits, TablesAreCounted) {
   const std::string refusal = "has more than 100000 tables";
-  EXPECT_EQ(refusalOf(repeated("[[a]]\n", 99'999)), "");
-  EXPECT_EQ(refusalOf(repeated("[[a]]\n", 100'001)), "file.toml:100001: " + refusal);
-  EXPECT_EQ(refusalOf("a = [" + repeated("{},\n", 100'001) + "]\n"), "file.toml:100001: " + refusal);
-  EXPECT_EQ(refusalOf("a = [\n" + repeated("{b.c.d=1},\n", 40'000) + "]\n"), "file.toml:33335: " + refusal);
+  EXPECT_EQ(parseError(repeated("[[a]]\n", 99'999)), "");
+  EXPECT_EQ(parseError(repeated("[[a]]\n", 100'001)), "file.toml:100001: " + refusal);
+  EXPECT_EQ(parseError("a = [" + repeated("{},\n", 100'001) + "]\n"), "file.toml:100001: " + refusal);
+  EXPECT_EQ(parseError("a = [\n" + repeated("{b.c.d=1},\n", 40'000) + "]\n"), "file.toml:33335: " + refusal);
 }
 
 TEST(TomlLimits, ATextOfMoreBytesIsRefused) {
-  EXPECT_EQ(refusalOf("a = 1\n#" + std::string(kMaxTomlBytes, '-')), "file.toml: is larger than 16 MiB");
+  EXPECT_EQ(parseError("a = 1\n#" + std::string(kMaxTomlBytes, '-')), "file.toml: is larger than 16 MiB");
 }
 
 TEST(TomlLimits, WhatStandsInTextsAndCommentsIsNotCounted) {
@@ -105,7 +105,7 @@ TEST(TomlLimits, WhatStandsInTextsAndCommentsIsNotCounted) {
         "a = \"\"\"\n" + brackets + "\n" + brackets + "\"\"\"\nb = 1", "a = '''" + brackets + "\n'" + brackets + "''''",
         "a = \"\\\"" + brackets + "\"", "a = \"\\\\\" # " + brackets, "a = \"\"\"\\\"\"\" " + brackets + "\"\"\"\"\"",
         "\"" + brackets + "\" = 1", "a = \"\"\nb = ''\n# " + brackets}) {
-    EXPECT_EQ(refusalOf(text), "") << text.substr(0, 20);
+    EXPECT_EQ(parseError(text), "") << text.substr(0, 20);
   }
 }
 
@@ -114,7 +114,7 @@ TEST(TomlLimits, WhatFollowsAnyFormOfTextIsCounted) {
   const std::string deep = "\n" + keyOfParts(17) + " = 1\n";
   for (const std::string text : {R"("")", "''", R"("\\")", R"("'")", "'\"'", R"('\')", R"("""""")", "''''''",
                                  R"(""""a""""")", R"("""\"""")", "'''\\''''", "\"\"\"a\\\"\"\"\"", "'a' # \"\"\""}) {
-    EXPECT_NE(refusalOf("b = " + text + deep).find("more than 16 parts"), std::string::npos) << text;
+    EXPECT_NE(parseError("b = " + text + deep).find("more than 16 parts"), std::string::npos) << text;
   }
 }
 
@@ -122,12 +122,12 @@ TEST(TomlLimits, LinesAreCountedThroughEveryFormOfText) {
   const std::string deep = keyOfParts(17) + " = 1\n";
   for (const std::string text :
        {"\"\"\"\n\n\"\"\"", "'''\n\n'''", "\"\"\"\\\n\n\"\"\"", "1 # \"\"\"\n\n", "[\n1,\n2]"}) {
-    EXPECT_EQ(refusalOf("a = " + text + "\n" + deep).substr(0, 12), "file.toml:4:") << text;
+    EXPECT_EQ(parseError("a = " + text + "\n" + deep).substr(0, 12), "file.toml:4:") << text;
   }
 }
 
 TEST(TomlLimits, NumbersWithPointsAreNoKeys) {
-  EXPECT_EQ(refusalOf("a = [" + repeated("1.5, ", 10'000) + "0.5]\nb = [" + repeated("\n  2.5,", 10'000) + "]\n"), "");
+  EXPECT_EQ(parseError("a = [" + repeated("1.5, ", 10'000) + "0.5]\nb = [" + repeated("\n  2.5,", 10'000) + "]\n"), "");
 }
 
 TEST(TomlTable, GivesTheKeysThatAreThereAndLeavesTheOthers) {
@@ -152,7 +152,7 @@ TEST(TomlTable, GivesTheKeysThatAreThereAndLeavesTheOthers) {
 
 TEST(TomlTable, SaysOfWhichLineAKeyIsUnknownOrWhatItTakes) {
   const auto refusal = [](const std::string& line) {
-    return support::messageOf([&] {
+    return support::thrownMessage([&] {
       const TomlNode root = parseToml("\n" + line + "\n", "file.toml");
       const TomlTable table(root, "file.toml", "a table", {"text", "number", "whole", "flag"});
       std::string text;
@@ -217,7 +217,7 @@ TEST(TomlNode, WholeNumbersBeyondADoubleAreNoNumber) {
 }
 
 TEST(TomlNode, SaysTheLineThatIsNotToml) {
-  EXPECT_TRUE(refusalOf("a = 1\nb = \n").starts_with("file.toml:2: ")) << refusalOf("a = 1\nb = \n");
+  EXPECT_TRUE(parseError("a = 1\nb = \n").starts_with("file.toml:2: ")) << parseError("a = 1\nb = \n");
 }
 
 }  // namespace palpate::scene

@@ -38,7 +38,7 @@ TEST(FrictionSkin, YieldsToWrittenCoefficientsInAnyOrder) {
 
 TEST(FrictionSkin, IsRefusedWhereItIsNoneOrLeavesTheCoefficientsTheWrongWayRound) {
   const auto message = [](const std::string& keys) {
-    return support::messageOf([&] { parse("[friction]\n" + keys, "s.toml"); });
+    return support::thrownMessage([&] { parse("[friction]\n" + keys, "s.toml"); });
   };
   EXPECT_NE(message("skin = \"wett\"\n").find("s.toml:2"), std::string::npos) << message("skin = \"wett\"\n");
   EXPECT_NE(message("skin = \"wett\"\n").find("\"oiled\""), std::string::npos) << message("skin = \"wett\"\n");
@@ -80,7 +80,7 @@ TEST(RelaxationKeys, AreOffByDefaultAndReachEveryFinger) {
 
 TEST(RelaxationKeys, LeaveSomeForceInTheEnd) {
   const auto message = [](const std::string& keys) {
-    return support::messageOf([&] { parse("[tissue]\n" + keys, "s.toml"); });
+    return support::thrownMessage([&] { parse("[tissue]\n" + keys, "s.toml"); });
   };
   EXPECT_NE(message("relaxation = 0.95\n").find("s.toml:2"), std::string::npos);
   EXPECT_NE(message("relaxation_s = 0\n").find("s.toml:2"), std::string::npos);

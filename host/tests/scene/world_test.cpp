@@ -16,7 +16,7 @@ namespace {
 class WorldOf : public DomeScene {
  protected:
   std::string messageOfBuild(const Scene& scene) const {
-    return support::messageOf([&] { build(scene); });
+    return support::thrownMessage([&] { build(scene); });
   }
 };
 

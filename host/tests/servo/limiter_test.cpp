@@ -20,7 +20,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const tissue::ForceLaw kHooke;
 
 /// A contact that pushes out of a skin in z = 0 with this force.
-contact::FingerOutput touchOf(const Vec3& tip, const Vec3& force) {
+contact::FingerOutput makeContact(const Vec3& tip, const Vec3& force) {
   contact::FingerOutput contact;
   contact.tip = tip;
   contact.force = force;
@@ -40,7 +40,7 @@ struct Finger {
   Finger() { state.closes_loop = false; }  // nothing that it sends moves it
   Vec3 tick(const Vec3& tip, const Vec3& force, double age_ticks = 0.0) {
     guardTip(settings, state, {.tip = tip, .tick = next++, .age_ticks = age_ticks});
-    return limitForce(settings, state, touchOf(tip, force), kHooke);
+    return limitForce(settings, state, makeContact(tip, force), kHooke);
   }
   Vec3 at(double z) { return tick({0, 0, z}, {0, 0, std::max(0.0, -z) * stiffness_n_per_mm}); }
 };
@@ -123,7 +123,7 @@ TEST(Limiter, SendsNothingInTheTickOfAFault) {
     return [bit](Finger& f) {
       guardTip(f.settings, f.state, {.tip = {0, 0, -4.9}, .tick = f.next++});
       reportFault(f.state, bit);
-      return limitForce(f.settings, f.state, touchOf({0, 0, -4.9}, {0, 0, 2.45}), kHooke);
+      return limitForce(f.settings, f.state, makeContact({0, 0, -4.9}, {0, 0, 2.45}), kHooke);
     };
   };
   expectStop(kStalled, reported(kStalled));
@@ -252,7 +252,7 @@ TEST(Limiter, HoldsTheSlopeOfASteepPlaceAtTheCapAndLeavesASoftOneAsItIs) {
     for (double z = 0.1; z > -depth - 1e-9; z -= 0.1) {
       const double force = z < 0.0 ? tissue::normalForce(law, stiffness, -z) : 0.0;
       guardTip(settings, state, {.tip = {0, 0, z}, .tick = tick++});
-      limitForce(settings, state, touchOf({0, 0, z}, {0, 0, force}), law);
+      limitForce(settings, state, makeContact({0, 0, z}, {0, 0, force}), law);
     }
     return state.force.z();
   };
@@ -275,7 +275,7 @@ TEST(Limiter, AToeUnderTheCapIsNoSteeperThanTheCap) {
   for (double z = 1.9; z > -12.0; z -= 1.0) {
     guardTip(settings, state, {.tip = {0, 0, z}, .tick = tick++});
     const double force = z < 0.0 ? tissue::normalForce(law, 2.0, -z) : 0.0;
-    const double felt = limitForce(settings, state, touchOf({0, 0, z}, {0, 0, force}), law).z();
+    const double felt = limitForce(settings, state, makeContact({0, 0, z}, {0, 0, force}), law).z();
     EXPECT_LE(felt - before, 0.6 + 1e-9) << z;
     EXPECT_GE(felt, before);
     before = felt;
@@ -313,7 +313,7 @@ TEST(Limiter, TheToeOfABentLawIsThatLawAtALesserDepth) {
   std::uint64_t tick = 0;
   for (const double z : {1.6, 1.1, 0.6, 0.1, -0.4, -0.9, -1.4}) {
     guardTip(settings, state, {.tip = {0, 0, z}, .tick = tick++});
-    limitForce(settings, state, touchOf({0, 0, z}, {0, 0, z < 0.0 ? 4.0 * z * z / 8.0 : 0.0}), law);
+    limitForce(settings, state, makeContact({0, 0, z}, {0, 0, z < 0.0 ? 4.0 * z * z / 8.0 : 0.0}), law);
   }
   ASSERT_GT(state.soft.toe_mm, 0.0);
   const double felt_mm = toeDepth(state.soft.toe_mm, 1.4);
@@ -482,7 +482,7 @@ TEST(DeviceLimits, AGuardMayBeFourTimesAsLooseAndARampATenthOfASecond) {
   const auto held = [&](double scene::SafetySettings::*key, double asked) {
     scene::SafetySettings safety;
     safety.*key = asked;
-    return heldSafety(safety, open).*key;
+    return effectiveSafety(safety, open).*key;
   };
   using Safety = scene::SafetySettings;
   EXPECT_EQ(held(&Safety::max_age_ticks, 7.9), 7.9);
@@ -502,11 +502,11 @@ TEST(DeviceLimits, AGuardMayBeFourTimesAsLooseAndARampATenthOfASecond) {
   scaled.motion_scale = 3.0;
   scene::SafetySettings wide;
   wide.max_jump_mm = 119.0;
-  EXPECT_EQ(heldSafety(wide, scaled).max_jump_mm, 119.0) << "a hand's motion is three times as long in the body";
+  EXPECT_EQ(effectiveSafety(wide, scaled).max_jump_mm, 119.0) << "a hand's motion is three times as long in the body";
   wide.max_jump_mm = 121.0;
-  EXPECT_EQ(heldSafety(wide, scaled).max_jump_mm, 120.0);
+  EXPECT_EQ(effectiveSafety(wide, scaled).max_jump_mm, 120.0);
   scaled.motion_scale = 0.1;
-  EXPECT_EQ(heldSafety(wide, scaled).max_jump_mm, 40.0) << "and never held tighter than in the body's own size";
+  EXPECT_EQ(effectiveSafety(wide, scaled).max_jump_mm, 40.0) << "and never held tighter than in the body's own size";
 }
 
 TEST(DeviceLimits, APartOfATickOfDelayCountsAsAWholeOne) {
@@ -578,8 +578,8 @@ TEST(DeviceLimits, ALightOrUnknownDeviceIsHeldSofterThanAHeavyOne) {
 
 TEST(DeviceLimits, RefuseADeviceWhereNoStiffnessIsStable) {
   device::DeviceProfile omni = device::profileOf(scene::DeviceModel::omni);
-  EXPECT_TRUE(whyRefused(omni, 0.001, 2.0).empty());
-  EXPECT_NE(whyRefused(omni, 0.001, 3.0).find("1000 Hz with 3 ticks"), std::string::npos);
+  EXPECT_TRUE(refusalReason(omni, 0.001, 2.0).empty());
+  EXPECT_NE(refusalReason(omni, 0.001, 3.0).find("1000 Hz with 3 ticks"), std::string::npos);
   scene::SafetySettings late;
   late.delay_ticks = 3.0;
   EXPECT_NO_THROW(requireStable(omni, late, 0.001)) << "nobody holds it";

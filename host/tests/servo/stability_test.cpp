@@ -42,7 +42,8 @@ constexpr std::array kHands{HandKind::stylus_x, HandKind::stylus_y, HandKind::st
 
 bool heavy() { return std::getenv("PALPATE_HEAVY") != nullptr; }
 
-LoopPlan planOf(DeviceModel device, HandKind hand, double stiffness, Protection protection = Protection::assumed) {
+LoopPlan makeLoopPlan(DeviceModel device, HandKind hand, double stiffness,
+                      Protection protection = Protection::assumed) {
   LoopPlan plan;
   plan.device = profileOf(device);
   plan.hand = handModel(hand);
@@ -76,7 +77,7 @@ TEST(Stability, EveryDeviceComesToRestAfterAKick) {
     for (const DeviceModel device : nominalDevices()) {
       for (const HandKind hand : kHands) {
         for (const double stiffness : {0.5, 1.0, 2.0, 3.0}) {
-          LoopPlan plan = planOf(device, hand, stiffness, protection);
+          LoopPlan plan = makeLoopPlan(device, hand, stiffness, protection);
           plan.jitter_ticks = 0.15;
           const KickResult result = kick(plan);
           EXPECT_LE(result.peak_to_peak_mm, 0.001) << called(plan, device, hand);
@@ -91,7 +92,7 @@ TEST(Stability, EveryDeviceComesToRestAfterAKick) {
 TEST(Stability, WithoutTheControllerItOscillates) {
   using enum HandKind;
   const auto swing = [](HandKind hand, double stiffness) {
-    return kick(planOf(DeviceModel::touch_x, hand, stiffness, Protection::none)).peak_to_peak_mm;
+    return kick(makeLoopPlan(DeviceModel::touch_x, hand, stiffness, Protection::none)).peak_to_peak_mm;
   };
   EXPECT_GT(swing(dead_load, 1.0), 10.0);
   EXPECT_GT(swing(stylus_x, 3.0), 1.0);
@@ -130,7 +131,7 @@ TapResult worstTap(DeviceModel device, double stiffness, double speed, Protectio
   const int every = heavy() ? 1 : 4;
   for (const HandKind hand : kHands) {
     for (int phase = 0; phase < 40; phase += every) {
-      worst.takeWorst(tap(planOf(device, hand, stiffness, protection), speed, phase / 40.0));
+      worst.mergeWorst(tap(makeLoopPlan(device, hand, stiffness, protection), speed, phase / 40.0));
     }
   }
   return worst;
@@ -163,7 +164,7 @@ TEST(Stability, AControlledPressFeelsLikeTheSkin) {
     for (const DeviceModel device : {DeviceModel::omni, DeviceModel::touch_x, DeviceModel::premium_1_5}) {
       for (const HandKind hand : {HandKind::stylus_x, HandKind::stylus_z, HandKind::thimble}) {
         for (const double stiffness : {0.3, 1.0, 3.0}) {
-          const LoopPlan plan = planOf(device, hand, stiffness, protection);
+          const LoopPlan plan = makeLoopPlan(device, hand, stiffness, protection);
           const PressResult result = press(plan);
           const bool soft = stiffness <= 1.0;
           // The Omni's coarse encoder alone makes 5 % at 3 N/mm, with and without the controller.
@@ -184,7 +185,7 @@ TEST(Stability, SlidingOverAMapIsQuiet) {
   for (const DeviceModel device : {DeviceModel::touch_x, DeviceModel::premium_1_5}) {
     for (const double friction : {0.0, 0.46}) {
       for (const HandKind hand : {HandKind::stylus_x, HandKind::stylus_z}) {
-        LoopPlan plan = planOf(device, hand, 0.5, Protection::identified);
+        LoopPlan plan = makeLoopPlan(device, hand, 0.5, Protection::identified);
         plan.plate.other_n_per_mm = 3.0;
         plan.plate.friction = friction;
         const SlideResult result = slide(plan);
@@ -194,7 +195,7 @@ TEST(Stability, SlidingOverAMapIsQuiet) {
       }
     }
   }
-  LoopPlan bare = planOf(DeviceModel::premium_1_5, HandKind::stylus_z, 0.5, Protection::none);
+  LoopPlan bare = makeLoopPlan(DeviceModel::premium_1_5, HandKind::stylus_z, 0.5, Protection::none);
   bare.plate.other_n_per_mm = 3.0;
   EXPECT_GT(slide(bare).noise_n, 0.17);
   EXPECT_GT(slide(bare).port_energy_mj, 10.0);
@@ -205,7 +206,7 @@ TEST(Stability, AtTheCapsPressAndSlideMeetTheFirstBars) {
   for (const Protection protection : {Protection::assumed, Protection::identified}) {
     for (const DeviceModel device : nominalDevices()) {
       for (const HandKind hand : {HandKind::stylus_x, HandKind::stylus_z}) {
-        LoopPlan plan = planOf(device, hand, servo::stiffnessCap({}, profileOf(device), 0.001), protection);
+        LoopPlan plan = makeLoopPlan(device, hand, servo::stiffnessCap({}, profileOf(device), 0.001), protection);
         EXPECT_LE(std::abs(press(plan).hysteresis), 0.05) << called(plan, device, hand);
         plan.plate.other_n_per_mm = plan.plate.stiffness_n_per_mm;
         plan.plate.stiffness_n_per_mm /= 6.0;
@@ -220,9 +221,9 @@ TEST(Stability, TwoPlacesKeepTheirRatio) {
   for (const DeviceModel device : {DeviceModel::omni, DeviceModel::touch_x, DeviceModel::premium_1_5}) {
     for (const HandKind hand : {HandKind::stylus_x, HandKind::stylus_z, HandKind::thimble}) {
       for (const double stiffness : {0.5, 1.0}) {
-        const double soft = press(planOf(device, hand, stiffness)).slope_n_per_mm;
+        const double soft = press(makeLoopPlan(device, hand, stiffness)).slope_n_per_mm;
         for (const double ratio : {1.07, 1.14}) {
-          const LoopPlan plan = planOf(device, hand, ratio * stiffness);
+          const LoopPlan plan = makeLoopPlan(device, hand, ratio * stiffness);
           EXPECT_NEAR(press(plan).slope_n_per_mm / soft / ratio, 1.0, 0.02) << called(plan, device, hand);
         }
       }
@@ -241,7 +242,7 @@ TEST(Stability, StaysAtRestWhenTheDeviceIsNotWhatItIsBelievedToBe) {
                                                   {1.0, 0.1, 1.0},
                                                   {1.0, 1.0, 0.3}}) {
       for (const HandKind hand : kHands) {
-        LoopPlan plan = planOf(DeviceModel::touch_x, hand, 2.0);
+        LoopPlan plan = makeLoopPlan(DeviceModel::touch_x, hand, 2.0);
         plan.believed = &believed;
         plan.believed_delay_ticks = plan.delay_ticks + more_delay;
         plan.device.mass_kg *= mass;
@@ -259,7 +260,7 @@ TEST(Stability, StaysAtRestWhenTheDeviceIsNotWhatItIsBelievedToBe) {
 TEST(Stability, HalfAMillisecondOfAmplifierIsWithinTheMargin) {
   for (const DeviceModel device : {DeviceModel::touch_x, DeviceModel::premium_1_5, DeviceModel::omni}) {
     for (const HandKind hand : {HandKind::dead_load, HandKind::stylus_x, HandKind::stylus_z}) {
-      LoopPlan plan = planOf(device, hand, 2.5);
+      LoopPlan plan = makeLoopPlan(device, hand, 2.5);
       plan.amplifier_lag_s = 0.0005;
       EXPECT_FALSE(kick(plan).oscillates(plan.device.encoder_mm)) << called(plan, device, hand);
     }
@@ -269,7 +270,7 @@ TEST(Stability, HalfAMillisecondOfAmplifierIsWithinTheMargin) {
 // T15: whatever goes wrong, in whatever hand: no force in that very tick, and at the motor a tick of delay later.
 TEST(Stability, AFaultInContactReachesTheMotorWithinTwoTicks) {
   const auto lost = [](LoopPlan plan, const std::function<void(servo::Rig&)>& make_fault) {
-    ClosedLoop loop(loopOf(plan));
+    ClosedLoop loop(makeLoopSettings(plan));
     loop.hand().goal.place.z() = -60.0;
     for (int tick = 0; tick < 1000; ++tick) loop.tick();
     EXPECT_GT(loop.hand().motorForce().z(), 1.0) << "it presses";
@@ -282,7 +283,7 @@ TEST(Stability, AFaultInContactReachesTheMotorWithinTwoTicks) {
   servo::EmergencyStop stop;
   stop.press();
   for (const HandKind hand : kHands) {
-    const LoopPlan plan = planOf(DeviceModel::touch_x, hand, 1.0);
+    const LoopPlan plan = makeLoopPlan(DeviceModel::touch_x, hand, 1.0);
     lost(plan,
          [](servo::Rig& rig) { rig.fingers[0].device.read_tip = [](std::uint64_t) { return device::kNoPlace; }; });
     lost(plan, [&stop](servo::Rig& rig) { rig.emergency_stop = &stop; });
@@ -308,7 +309,7 @@ TEST(Stability, AFaultInContactMovesTheHandByLessThanHalfAMillimetre) {
 TEST(Stability, TheControllerLeavesAPassiveLoopAlone) {
   for (const DeviceModel device : nominalDevices()) {
     for (const bool quantised : {true, false}) {
-      LoopPlan plan = planOf(device, HandKind::stylus_x, 0.0, Protection::identified);
+      LoopPlan plan = makeLoopPlan(device, HandKind::stylus_x, 0.0, Protection::identified);
       plan.quantised = quantised;
       plan.plate.stiffness_n_per_mm = 0.5 * linearLimit(plan);
       EXPECT_EQ(kick(plan).damped_share, 0.0) << called(plan, device, HandKind::stylus_x);
@@ -364,9 +365,9 @@ TEST(StabilityOfRandomSystems, ADeviceWithHardlyAnyFrictionComesToRest) {
 
 /// Whether a finger that presses for four seconds is told that the scene is too stiff.
 bool warned(DeviceModel device, double stiffness) {
-  LoopPlan plan = planOf(device, HandKind::stylus_z, stiffness);
+  LoopPlan plan = makeLoopPlan(device, HandKind::stylus_z, stiffness);
   plan.delay_ticks = 2.0;
-  ClosedLoop loop(loopOf(plan));
+  ClosedLoop loop(makeLoopSettings(plan));
   std::uint32_t seen = 0;
   for (int tick = 0; tick < 4000; ++tick) {
     loop.hand().goal.place.z() = -8.0 + 3.0 * std::cos(0.006 * tick);
@@ -384,9 +385,9 @@ TEST(Stability, SaysThatASceneIsTooStiffOnlyWhereItIs) {
 // Two runs of the same hand are the same bits.
 TEST(Stability, ASimulatedHandIsDeterministic) {
   const auto run = [] {
-    LoopPlan plan = planOf(DeviceModel::touch_x, HandKind::stylus_z, 2.0);
+    LoopPlan plan = makeLoopPlan(DeviceModel::touch_x, HandKind::stylus_z, 2.0);
     plan.jitter_ticks = 0.2;
-    ClosedLoop loop(loopOf(plan));
+    ClosedLoop loop(makeLoopSettings(plan));
     loop.hand().goal.place.z() = -15.0;
     Hash hash;
     for (int tick = 0; tick < 2000; ++tick) {

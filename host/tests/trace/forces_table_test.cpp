@@ -16,7 +16,7 @@ std::string tableOf(std::initializer_list<Sample> samples) {
   return text;
 }
 
-Sample sampleOf(std::uint64_t tick, std::uint32_t finger, const Vec3& tip, const Vec3& force) {
+Sample makeSample(std::uint64_t tick, std::uint32_t finger, const Vec3& tip, const Vec3& force) {
   Sample sample;
   sample.tick = tick;
   sample.finger = finger;
@@ -28,7 +28,7 @@ TEST(ForcesTable, ReadsBackEveryBitOfWhatWasWritten) {
   const Vec3 tip(0.1, -1.0 / 3.0, 1e5);
   const Vec3 force(1e-17, 2.5, -0.7);
   const auto fingers = parseForcesTable(
-      tableOf({sampleOf(0, 0, tip, force), sampleOf(0, 1, -tip, force), sampleOf(1, 0, 2.0 * tip, -force)}), "t");
+      tableOf({makeSample(0, 0, tip, force), makeSample(0, 1, -tip, force), makeSample(1, 0, 2.0 * tip, -force)}), "t");
   ASSERT_EQ(fingers.size(), 2u);
   EXPECT_EQ(fingers[0].name, "left");
   EXPECT_EQ(fingers[0].time_s, (std::vector<double>{0.0, 0.001}));
@@ -39,14 +39,14 @@ TEST(ForcesTable, ReadsBackEveryBitOfWhatWasWritten) {
 
 TEST(ForcesTable, RefusesWhatIsNone) {
   const auto message = [](const std::string& text) {
-    return support::messageOf([&] { parseForcesTable(text, "t.csv"); });
+    return support::thrownMessage([&] { parseForcesTable(text, "t.csv"); });
   };
   EXPECT_EQ(message("t_s,x_mm\n0,1\n"), "t.csv:1: must be a table of forces: column 2 is 'x_mm' instead of finger");
   EXPECT_EQ(message("x_mm,y_mm\n0,1\n"), "t.csv:1: must be a table of forces: it begins with other columns");
   EXPECT_EQ(message(tableOf({})), "t.csv: holds no forces");
   EXPECT_EQ(message(tableOf({}) + "0,left,1\n"), "t.csv:2: expected 22 fields, found 3");
   EXPECT_EQ(message(tableOf({}) + "0,left,1"), "t.csv:2: the table breaks off here: 3 of 22 fields");
-  const Sample sample = sampleOf(0, 0, Vec3::Zero(), Vec3::Zero());
+  const Sample sample = makeSample(0, 0, Vec3::Zero(), Vec3::Zero());
   EXPECT_EQ(message(tableOf({sample, sample})), "t.csv:3: time does not increase: 0 s after 0 s");
 }
 

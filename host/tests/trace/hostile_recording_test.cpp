@@ -31,7 +31,7 @@ class HostileRecording : public testing::Test {
     ::sqlite3_close(database);
   }
   std::string refusal() const {
-    const std::string message = support::messageOf([&] { RecordingReader{file_}; });
+    const std::string message = support::thrownMessage([&] { RecordingReader{file_}; });
     const std::string name = file_.string() + ": ";
     return message.starts_with(name) ? message.substr(name.size()) : message;
   }
@@ -83,7 +83,7 @@ TEST_F(HostileRecording, OtherBlanksAndCommentsAreTheSameTable) {
 
 TEST_F(HostileRecording, AStatementThatNeverEndsIsEndedAndSoIsOneThatIsInterrupted) {
   Database database(file_, Database::Mode::read);
-  EXPECT_EQ(support::messageOf([&] { Statement(database, kNeverEnds).next(); }),
+  EXPECT_EQ(support::thrownMessage([&] { Statement(database, kNeverEnds).next(); }),
             file_.string() + ": takes longer to read than a file of its size can need: it is not read further");
   struct Asked {};
   int calls = 0;
@@ -116,7 +116,7 @@ TEST_F(HostileRecording, ViewsAndTriggersAreOffInWhateverIsOpened) {
 TEST_F(HostileRecording, APipeIsNoFile) {
   const std::filesystem::path pipe = folder_ / "pipe.session";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(support::messageOf([&] { RecordingReader{pipe}; }), pipe.string() + ": is not a file");
+  EXPECT_EQ(support::thrownMessage([&] { RecordingReader{pipe}; }), pipe.string() + ": is not a file");
 }
 
 TEST_F(HostileRecording, ARecordingIsForItsOwnerAloneWhileItIsWritten) {

@@ -203,7 +203,7 @@ TEST_F(RecordingEdit, ATrimOfAllIsACopy) {
 
 TEST_F(RecordingEdit, ATrimOfNothingSaysWhereTheRecordingIsAndLeavesNothing) {
   RecordingReader reader(record("a.session", 100, 999, {1, 0}));
-  EXPECT_EQ(support::messageOf([&] {
+  EXPECT_EQ(support::thrownMessage([&] {
               trim(reader, {{5000, 6000}}, folder_ / "b.session");
             }),
             "no tick there: the recording goes from 0.100 to 0.999 s");
@@ -264,7 +264,7 @@ TEST_F(RecordingEdit, JoinedRecordingsLackWhatEachOfThemLacked) {
 TEST_F(RecordingEdit, WhatDoesNotBelongTogetherIsNotJoined) {
   const auto a = record("a.session", 0, 99, {1, 0});
   const auto file_error = [&](const std::filesystem::path& other) {
-    return support::messageOf([&] { join({a, other}, folder_ / "all.session"); });
+    return support::thrownMessage([&] { join({a, other}, folder_ / "all.session"); });
   };
   RecordingHeader slow = header();
   slow.ticks_per_s = 500.0;
@@ -281,7 +281,7 @@ TEST_F(RecordingEdit, WhatDoesNotBelongTogetherIsNotJoined) {
   }
   EXPECT_NE(file_error(folder_ / "body.session").find("carries another 'body.obj'"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all.session.partial")) << "whole or not at all";
-  EXPECT_NE(support::messageOf([&] { join({a, a}, a); }).find("write to another file"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { join({a, a}, a); }).find("write to another file"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all.session"));
 }
 

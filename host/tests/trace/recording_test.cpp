@@ -238,11 +238,11 @@ TEST_F(RecordingFile, SaysWhatIsNoRecording) {
   EXPECT_THROW(RecordingReader(folder_.path()), Error);
   Database foreign(folder_ / "foreign.session", Database::Mode::create);
   foreign.run("CREATE TABLE session(id)");
-  EXPECT_EQ(support::messageOf([&] { RecordingReader(folder_ / "foreign.session"); }),
+  EXPECT_EQ(support::thrownMessage([&] { RecordingReader(folder_ / "foreign.session"); }),
             (folder_ / "foreign.session").string() + ": is not a recording file of Palpate");
   begin("later.session").finish("done");
   Database(folder_ / "later.session", Database::Mode::write).run("PRAGMA user_version = 99");
-  EXPECT_EQ(support::messageOf([&] { RecordingReader(folder_ / "later.session"); }),
+  EXPECT_EQ(support::thrownMessage([&] { RecordingReader(folder_ / "later.session"); }),
             (folder_ / "later.session").string() + ": is a recording of version 99; this program reads up to 6");
 }
 
@@ -254,7 +254,7 @@ TEST_F(RecordingFile, NamesABlockThatIsDamaged) {
   }
   Database(folder_ / "a.session", Database::Mode::write).run("UPDATE blocks SET crc32 = crc32 + 1 WHERE id = 2");
   RecordingReader reader(folder_ / "a.session");
-  EXPECT_EQ(support::messageOf([&] { read(reader); }),
+  EXPECT_EQ(support::thrownMessage([&] { read(reader); }),
             (folder_ / "a.session").string() + ": block 2: block checksum mismatch");
   ASSERT_EQ(reader.damagedBlocks().size(), 1u);
   EXPECT_EQ(reader.damagedBlocks()[0].first, 2);

@@ -17,7 +17,7 @@ deform::FormSettings literalForms() {
   return forms;
 }
 
-literal::Touch touchOf(const deform::Contact& contact) {
+literal::Touch toTouch(const deform::Contact& contact) {
   const maps::SurfaceEllipse& ellipse = contact.tangential_region;
   return {contact.anchor,  static_cast<int>(contact.anchor_triangle),
           contact.normal,  contact.depth_mm,
@@ -38,7 +38,7 @@ TEST(LiteralDeformation, MovesTheSkinAsTheEnginesLiteralReadingDoes) {
     std::vector<literal::Touch> touches;
     for (int finger = 0; finger < 1 + frame % 2; ++finger) {
       contacts.push_back(deform::formedRegions(test::anyContact(back, random), literalForms()));
-      touches.push_back(touchOf(contacts.back()));
+      touches.push_back(toTouch(contacts.back()));
     }
     engine.apply(contacts, surface);
     literally.apply(touches);
@@ -53,9 +53,9 @@ TEST(LiteralDeformation, MovesTheSkinAsTheEnginesLiteralReadingDoes) {
 
 TEST(LiteralDeformation, BringsBackEveryPositionAndNormal) {
   const mesh::TriangleMesh back = lab::backMesh(2962);
-  const literal::Mesh rest = literal::meshOf(back);
+  const literal::Mesh rest = literal::buildMesh(back);
   literal::Deformation literally(back);
-  literally.apply(std::vector{touchOf(test::press(back, 1500, 8.0))});
+  literally.apply(std::vector{toTouch(test::press(back, 1500, 8.0))});
   const literal::Mesh pressed = literally.mesh();
   literally.apply({});
   EXPECT_EQ(literally.movedNodes(), 0);

@@ -9,7 +9,7 @@
 namespace palpate::bench {
 
 TEST(LiteralMesh, ListsEveryNeighbourOnce) {
-  const literal::Mesh mesh = literal::meshOf(zoo::grid(4, 40.0));  // 5 x 5 vertices, row by row
+  const literal::Mesh mesh = literal::buildMesh(zoo::grid(4, 40.0));  // 5 x 5 vertices, row by row
   const literal::Vertex& middle = mesh.vertices[12];
   EXPECT_EQ(middle.joint_vertices.size(), middle.joint_triangles.size());
   std::size_t uses = 0;
@@ -19,7 +19,7 @@ TEST(LiteralMesh, ListsEveryNeighbourOnce) {
 
 TEST(LiteralMesh, HasUnitNormalsNearTheEnginesOwn) {
   const mesh::TriangleMesh back = lab::backMesh(2962);
-  const literal::Mesh literal = literal::meshOf(back);
+  const literal::Mesh literal = literal::buildMesh(back);
   const auto normals = mesh::vertexNormals(back);
   for (std::size_t v = 0; v < normals.size(); ++v) {
     EXPECT_NEAR(literal.vertices[v].normal.norm(), 1.0, 1e-12);

@@ -28,20 +28,20 @@ inline bool heavy() {
 inline std::vector<double> radiiMm() { return {0.0, 0.5, 5.0, 8.0}; }
 
 /// Real friction 0.46 / 0.44, k_t = k_n, shading off: the setting of every bar.
-inline contact::FingerSettings fingerOf(double radius_mm) {
+inline contact::FingerSettings makeBarFinger(double radius_mm) {
   contact::FingerSettings finger;
   finger.radius_mm = radius_mm;
   return finger;
 }
 
-inline bench::ContactWorld worldOf(const std::string& mesh, double scale = 1.0) {
+inline bench::ContactWorld makeBarWorld(const std::string& mesh, double scale = 1.0) {
   return bench::buildContactWorld(lab::workloadMesh(mesh), scale);
 }
 
 /// Runs a benchmark path by name.
 inline bench::ContactFigures measure(bench::ContactWorld& world, const std::string& path, double radius_mm = 0.0,
                                      const bench::Window& window = {}) {
-  return bench::measureContact(world, lab::workloadPath(path), fingerOf(radius_mm), window);
+  return bench::measureContact(world, lab::workloadPath(path), makeBarFinger(radius_mm), window);
 }
 
 /// Letters and digits only, as GoogleTest wants its names.

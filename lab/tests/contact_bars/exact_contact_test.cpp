@@ -13,9 +13,9 @@ struct Misses {
 };
 
 /// Each three of tips is above, on and below; a fresh finger goes straight through, another stops on the surface.
-Misses missesOf(const bench::ContactWorld& world, const device::Trajectory& aimed) {
+Misses countMisses(const bench::ContactWorld& world, const device::Trajectory& aimed) {
   const std::vector<Vec3> tips = bench::scaledTips(aimed, world.scale);
-  const contact::FingerSettings finger = contact::scaled(fingerOf(0.0), world.scale);
+  const contact::FingerSettings finger = contact::scaled(makeBarFinger(0.0), world.scale);
   Misses misses;
   for (std::size_t k = 0; k + 2 < tips.size(); k += 3) {
     contact::FingerState straight, stopping;
@@ -34,11 +34,11 @@ TEST_P(AimedSegments, NeverMissEdgesAndVertices) {
   const std::string mesh = GetParam();
   if (mesh == "back_1000000" && !heavy()) GTEST_SKIP() << "only with PALPATE_HEAVY=1";
   const std::size_t segments = heavy() ? 200000 : 20000;
-  bench::ContactWorld real = worldOf(mesh);
+  bench::ContactWorld real = makeBarWorld(mesh);
   const device::Trajectory path = lab::aimed(real.side, {.ticks = 3 * segments, .depth_mm = 1.0});
   for (const double scale : {0.001, 1.0, 1000.0}) {
-    const bench::ContactWorld world = worldOf(mesh, scale);
-    const Misses misses = missesOf(world, path);
+    const bench::ContactWorld world = makeBarWorld(mesh, scale);
+    const Misses misses = countMisses(world, path);
     EXPECT_EQ(misses.straight, 0u) << "scale " << scale;
     EXPECT_EQ(misses.with_stop, 0u) << "scale " << scale;
   }
@@ -52,7 +52,7 @@ class Lattice : public testing::TestWithParam<double> {};
 
 TEST_P(Lattice, TipsOnPlanesEdgesAndVerticesNeitherFallNorWait) {
   for (const auto& [path, mesh] : {std::pair{"lattice_flat", "lattice100"}, {"lattice_groove", "groove90"}}) {
-    bench::ContactWorld world = worldOf(mesh, GetParam());
+    bench::ContactWorld world = makeBarWorld(mesh, GetParam());
     const bench::ContactFigures figures = measure(world, path);
     EXPECT_EQ(figures.ticks, 100000u);
     EXPECT_EQ(figures.falls.ticks, 0u) << path << ", first at tick " << figures.falls.first_tick.value_or(0);

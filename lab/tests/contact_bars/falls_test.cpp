@@ -8,7 +8,7 @@ namespace {
 
 void expectNoFalls(bench::ContactWorld& world, const device::Trajectory& path, double radius_mm,
                    const std::string& what) {
-  const bench::ContactFigures figures = bench::measureContact(world, path, fingerOf(radius_mm));
+  const bench::ContactFigures figures = bench::measureContact(world, path, makeBarFinger(radius_mm));
   EXPECT_EQ(figures.falls.ticks, 0u) << what << ", first at tick " << figures.falls.first_tick.value_or(0);
   EXPECT_EQ(figures.falls.first_contact_delay_ticks, 0u) << what;
   EXPECT_GT(figures.contact_ticks, 0u) << what;
@@ -23,7 +23,7 @@ struct Setting {
 class EveryScaleAndRadius : public testing::TestWithParam<Setting> {};
 
 TEST_P(EveryScaleAndRadius, BackJumpsAndStabs) {
-  bench::ContactWorld world = worldOf("back_8163", GetParam().scale);
+  bench::ContactWorld world = makeBarWorld("back_8163", GetParam().scale);
   for (const lab::PathName& name : lab::workloadPathNames()) {
     if (name.mesh != "back") continue;
     expectNoFalls(world, lab::workloadPath(name.path), GetParam().radius_mm, name.path);
@@ -32,7 +32,7 @@ TEST_P(EveryScaleAndRadius, BackJumpsAndStabs) {
 
 TEST_P(EveryScaleAndRadius, GroovesPitAndEggcrate) {
   for (const char* mesh : {"groove60", "groove90", "groove120", "pit", "eggcrate"}) {
-    bench::ContactWorld world = worldOf(mesh, GetParam().scale);
+    bench::ContactWorld world = makeBarWorld(mesh, GetParam().scale);
     for (const lab::PathName& name : lab::workloadPathNames()) {
       if (name.mesh != mesh || name.path.starts_with("lattice")) continue;
       expectNoFalls(world, lab::workloadPath(name.path), GetParam().radius_mm, name.path);
@@ -68,7 +68,7 @@ TEST_P(EverySize, BackJumpsAndStabs) {
   const std::vector<double> scales = heavy() ? std::vector<double>{0.001, 1.0, 1000.0} : std::vector<double>{1.0};
   const std::vector<double> radii = heavy() ? radiiMm() : std::vector<double>{0.0};
   for (const double scale : scales) {
-    bench::ContactWorld world = worldOf(fmt::format("back_{}", GetParam()), scale);
+    bench::ContactWorld world = makeBarWorld(fmt::format("back_{}", GetParam()), scale);
     for (const lab::PathName& name : lab::workloadPathNames()) {
       if (name.mesh != "back") continue;
       for (const double radius_mm : radii) {
@@ -83,7 +83,7 @@ INSTANTIATE_TEST_SUITE_P(Falls, EverySize, testing::Values(2962, 41582, 200000, 
                          [](const auto& size) { return fmt::to_string(size.param); });
 
 TEST(FirstContact, EveryOneOf300StabsIsFeltInItsOwnTick) {
-  bench::ContactWorld world = worldOf("back_8163");
+  bench::ContactWorld world = makeBarWorld("back_8163");
   for (const char* path : {"back_stab1mps", "back_stab2mps", "back_stab5mps"}) {
     for (const double radius_mm : radiiMm()) {
       const bench::ContactFigures figures = measure(world, path, radius_mm);
@@ -94,7 +94,7 @@ TEST(FirstContact, EveryOneOf300StabsIsFeltInItsOwnTick) {
 }
 
 TEST(OpenBorder, SlidesOffAndIsFeltAgainOnlyFromTheFront) {
-  bench::ContactWorld world = worldOf("flat100");
+  bench::ContactWorld world = makeBarWorld("flat100");
   const bench::ContactFigures press = measure(world, "flat_press");
   EXPECT_EQ(press.falls.first_contacts, 16u);
   EXPECT_EQ(press.falls.ticks, 0u);

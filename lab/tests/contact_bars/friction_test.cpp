@@ -15,7 +15,7 @@ class FlatFriction : public testing::TestWithParam<FrictionBar> {};
 
 TEST_P(FlatFriction, HasItsCoefficients) {
   const auto& [speed, scale, radius_mm] = GetParam();
-  bench::ContactWorld world = worldOf("flat100", scale);
+  bench::ContactWorld world = makeBarWorld("flat100", scale);
   const bench::FrictionFigures friction = measure(world, fmt::format("flat_fric_{}", speed), radius_mm).friction;
   EXPECT_GT(friction.slip_ticks, 50u);
   EXPECT_NEAR(friction.kinetic, 0.44, 1e-4);
@@ -44,9 +44,9 @@ INSTANTIATE_TEST_SUITE_P(Bars, FlatFriction, testing::ValuesIn(everyBar()), [](c
 });
 
 TEST(Friction, HoldsForOtherCoefficientsAndStiffnessRatios) {
-  bench::ContactWorld world = worldOf("flat100");
+  bench::ContactWorld world = makeBarWorld("flat100");
   for (const double ratio : {0.23, 1.0, 2.0}) {
-    contact::FingerSettings finger = fingerOf(0.0);
+    contact::FingerSettings finger = makeBarFinger(0.0);
     finger.stiffness_ratio = ratio;
     finger.mu_static = 0.8;
     finger.mu_dynamic = 0.3;
@@ -58,8 +58,8 @@ TEST(Friction, HoldsForOtherCoefficientsAndStiffnessRatios) {
 }
 
 TEST(Friction, IsNoneWithoutCoefficients) {
-  bench::ContactWorld world = worldOf("flat100");
-  contact::FingerSettings finger = fingerOf(0.0);
+  bench::ContactWorld world = makeBarWorld("flat100");
+  contact::FingerSettings finger = makeBarFinger(0.0);
   finger.mu_static = finger.mu_dynamic = 0.0;
   const bench::FrictionFigures friction =
       bench::measureContact(world, lab::workloadPath("flat_fric_50"), finger).friction;

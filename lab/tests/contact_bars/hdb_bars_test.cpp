@@ -24,7 +24,7 @@ bench::ContactFigures figures(bench::ContactWorld& world, const std::string& pat
     run.outputs.push_back(stepHdb(world.surface, {}, candidates, state, tip));
     run.tick_us.push_back(0.0);
   }
-  return bench::figuresOf(world, run, {}, trajectory.time_s, window);
+  return bench::computeFigures(world, run, {}, trajectory.time_s, window);
 }
 
 /// The quarter of the longest edge, as in the dissertation.
@@ -37,7 +37,7 @@ HdbSettings usualBox(const hdb::Partition& partition, HdbQuery query) {
 
 TEST(HdbBars, SlidesOverTheBackAsTheDefaultFingerDoes) {
   bench::ContactWorld world = bench::buildContactWorld(lab::workloadMesh("back_8163"));
-  const auto partition = partitionOf(lab::workloadMesh("back_8163"));
+  const auto partition = buildTestPartition(lab::workloadMesh("back_8163"));
   const bench::Window window{lab::kSlideFromSeconds, lab::kSlideUntilSeconds};
   const auto reference = bench::measureContact(world, lab::workloadPath("back_slide"), {}, window);
   for (const HdbQuery query : {HdbQuery::leaves, HdbQuery::triangles, HdbQuery::coherent, HdbQuery::linked}) {
@@ -59,7 +59,7 @@ TEST(HdbBars, DoesNotFallInStabsJumpsGroovesAndPits) {
        {std::pair{"back_2962", "back_stab5mps"}, std::pair{"back_2962", "back_jump20mm"},
         std::pair{"groove60", "groove60"}, std::pair{"pit", "pit"}, std::pair{"eggcrate", "eggcrate_0.1mps"}}) {
     bench::ContactWorld world = bench::buildContactWorld(lab::workloadMesh(mesh));
-    const auto partition = partitionOf(lab::workloadMesh(mesh));
+    const auto partition = buildTestPartition(lab::workloadMesh(mesh));
     const auto found =
         figures(world, path, makeHdbSurface(world.surface, partition, usualBox(*partition, HdbQuery::coherent)));
     EXPECT_EQ(found.falls.ticks, 0u) << path;
@@ -74,7 +74,7 @@ TEST(HdbBars, TreesAndAssignmentsGiveTheSameForces) {
     build.tree = tree;
     build.assignment = assignment;
     build.threshold = 100;
-    const auto partition = partitionOf(lab::workloadMesh("back_2962"), build);
+    const auto partition = buildTestPartition(lab::workloadMesh("back_2962"), build);
     return figures(world, "back_slide",
                    makeHdbSurface(world.surface, partition, usualBox(*partition, HdbQuery::leaves)))
         .lag_mm.max;
@@ -93,7 +93,7 @@ TEST(HdbBars, ThePrintedTraversalLosesTheSkin) {
   hdb::BuildSettings build;
   build.tree = hdb::TreeKind::Bsp;
   build.threshold = 64;
-  const auto partition = partitionOf(lab::workloadMesh("back_2962"), build);
+  const auto partition = buildTestPartition(lab::workloadMesh("back_2962"), build);
   HdbSettings settings = usualBox(*partition, HdbQuery::leaves);
   const auto corrected = figures(world, "back_slide", makeHdbSurface(world.surface, partition, settings));
   settings.literal = hdb::LiteralTraversal::ElseIf;

@@ -8,7 +8,7 @@ namespace palpate::bars {
 namespace {
 
 /// Lengths of the tiny and the huge world: the same experiment, thousands of times smaller or larger.
-double sizeOf(const std::string& mesh) { return mesh == "tiny" ? 0.01 / 400 : (mesh == "huge" ? 1e5 / 400 : 1.0); }
+double worldScale(const std::string& mesh) { return mesh == "tiny" ? 0.01 / 400 : (mesh == "huge" ? 1e5 / 400 : 1.0); }
 
 class HeldoutShape : public testing::TestWithParam<std::string> {
  protected:
@@ -18,17 +18,17 @@ class HeldoutShape : public testing::TestWithParam<std::string> {
     const lab::InvariantReport invariants =
         lab::checkInvariants(world.side.mesh(), finger, world.stiffness_n_per_mm, run.outputs);
     EXPECT_TRUE(invariants.clean()) << what << ": " << invariants.text();
-    const bench::ContactFigures figures = bench::figuresOf(world, run, finger, path.time_s);
+    const bench::ContactFigures figures = bench::computeFigures(world, run, finger, path.time_s);
     EXPECT_EQ(figures.falls.ticks, 0u) << what << ", first at tick " << figures.falls.first_tick.value_or(0);
     EXPECT_GT(figures.contact_ticks, path.size() / 20) << what;
   }
 };
 
 TEST_P(HeldoutShape, IsFeltSoundlyByPointsAndSpheres) {
-  const double size = sizeOf(GetParam());
+  const double size = worldScale(GetParam());
   bench::ContactWorld world = bench::buildContactWorld(lab::heldoutMesh(GetParam()));
   for (const double radius_mm : {0.0, 4.0}) {
-    const contact::FingerSettings finger = contact::scaled(fingerOf(radius_mm), size);
+    const contact::FingerSettings finger = contact::scaled(makeBarFinger(radius_mm), size);
     for (const double step_mm : {0.1, 1.0, 5.0}) {
       const lab::PathSettings settings{
           .ticks = 6000, .step_mm = step_mm * size, .depth_mm = 5.0 * size, .start_above_mm = 10.0 * size, .seed = 7};

@@ -28,9 +28,9 @@ std::vector<Vec3> hostileTips(std::size_t ticks, std::uint64_t seed) {
 }
 
 TEST(HostileTips, GiveFiniteBoundedForces) {
-  const bench::ContactWorld world = worldOf("back_2962");
+  const bench::ContactWorld world = makeBarWorld("back_2962");
   for (const double radius_mm : radiiMm()) {
-    const contact::FingerSettings finger = fingerOf(radius_mm);
+    const contact::FingerSettings finger = makeBarFinger(radius_mm);
     const bench::FingerRun run = bench::runFinger(world.surface, finger, hostileTips(20000, 3));
     const lab::InvariantReport invariants =
         lab::checkInvariants(world.side.mesh(), finger, world.stiffness_n_per_mm, run.outputs);
@@ -39,23 +39,23 @@ TEST(HostileTips, GiveFiniteBoundedForces) {
 }
 
 TEST(HostileTips, DoNotStopTheFingerFromFeelingAgain) {
-  const bench::ContactWorld world = worldOf("back_2962");
+  const bench::ContactWorld world = makeBarWorld("back_2962");
   const Vec3 above(175, 200, lab::backHeight(175, 200) + 5), below = above - Vec3(0, 0, 10);
   for (const double radius_mm : radiiMm()) {
     contact::FingerState state;
-    for (const Vec3& tip : hostileTips(2000, 4)) contact::step(world.surface, fingerOf(radius_mm), state, tip);
+    for (const Vec3& tip : hostileTips(2000, 4)) contact::step(world.surface, makeBarFinger(radius_mm), state, tip);
     const Vec3 far = above + Vec3(0, 0, 500);
-    for (int i = 0; i < 5; ++i) contact::step(world.surface, fingerOf(radius_mm), state, far);
-    contact::step(world.surface, fingerOf(radius_mm), state, above + Vec3(0, 0, 10));
-    EXPECT_FALSE(contact::step(world.surface, fingerOf(radius_mm), state, below).force.isZero(0.0)) << radius_mm;
+    for (int i = 0; i < 5; ++i) contact::step(world.surface, makeBarFinger(radius_mm), state, far);
+    contact::step(world.surface, makeBarFinger(radius_mm), state, above + Vec3(0, 0, 10));
+    EXPECT_FALSE(contact::step(world.surface, makeBarFinger(radius_mm), state, below).force.isZero(0.0)) << radius_mm;
   }
 }
 
 TEST(AbsurdSettings, AreSurvived) {
-  const bench::ContactWorld world = worldOf("back_2962");
+  const bench::ContactWorld world = makeBarWorld("back_2962");
   std::vector<Vec3> tips = lab::backJumps(5.0, 5).tip_mm;
   tips.resize(3000);
-  std::vector<contact::FingerSettings> absurd(6, fingerOf(0.0));
+  std::vector<contact::FingerSettings> absurd(6, makeBarFinger(0.0));
   absurd[0].stiffness_ratio = 0.0;
   absurd[1].mu_static = absurd[1].mu_dynamic = 1e6;
   absurd[2].max_depth_mm = 1e-9;

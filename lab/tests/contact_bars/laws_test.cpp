@@ -36,7 +36,7 @@ void setLaw(bench::ContactWorld& world, ForceLaw::Kind kind, const Thickness& th
   surface.force_law = {.kind = kind};
   if (kind != ForceLaw::Kind::layered) return;
   surface.force_law.layers = layers().forceRows();
-  const mesh::TriangleMesh mesh = bench::meshOf(surface);
+  const mesh::TriangleMesh mesh = bench::extractMesh(surface);
   std::vector<double> stiffness;
   std::vector<double> thickness;
   for (const Vec3& place : mesh.positions) {
@@ -68,7 +68,7 @@ double expectKept(bench::ContactWorld& world, double radius_mm, double most_step
 TEST(Laws, LayeredTissueOfOneThicknessKeepsTheBarsOfTheBack) {
   for (const char* back : {"back_8163", "back_41582"}) {
     for (const double thickness_mm : {40.0, 25.0}) {
-      bench::ContactWorld world = worldOf(back);
+      bench::ContactWorld world = makeBarWorld(back);
       setLaw(world, ForceLaw::Kind::layered, [&](const Vec3&) { return thickness_mm; });
       for (const double radius_mm : radiiMm()) expectKept(world, radius_mm, radius_mm < 1.0 ? 0.45 : 0.55);
     }
@@ -79,7 +79,7 @@ TEST(Laws, LayeredTissueOfOneThicknessKeepsTheBarsOfTheBack) {
 // that as 0.45 N is of the 5 N of the usual bar.
 TEST(Laws, LayeredTissueOverBonesNeverLosesTheFingerAndStepsNoMoreThanItsForce) {
   for (const char* back : {"back_8163", "back_41582"}) {
-    bench::ContactWorld world = worldOf(back);
+    bench::ContactWorld world = makeBarWorld(back);
     setLaw(world, ForceLaw::Kind::layered);
     for (const double radius_mm : radiiMm()) EXPECT_LE(expectKept(world, radius_mm, 1.2), 0.45 / 5.0) << radius_mm;
   }
@@ -88,7 +88,7 @@ TEST(Laws, LayeredTissueOverBonesNeverLosesTheFingerAndStepsNoMoreThanItsForce) 
 class FrictionUnderLaw : public testing::TestWithParam<ForceLaw::Kind> {};
 
 TEST_P(FrictionUnderLaw, IsExact) {
-  bench::ContactWorld world = worldOf("flat100");
+  bench::ContactWorld world = makeBarWorld("flat100");
   setLaw(world, GetParam());
   for (const double radius_mm : {0.0, 8.0}) {
     const bench::FrictionFigures friction = measure(world, "flat_fric_20", radius_mm).friction;
@@ -102,13 +102,13 @@ TEST_P(FrictionUnderLaw, IsExact) {
 
 // Down to 10 mm and up again at 1 mm/s, on skin without friction: what the hand gives it gets back.
 TEST_P(FrictionUnderLaw, AQuietPressGivesItsEnergyBack) {
-  bench::ContactWorld world = worldOf("back_8163");
+  bench::ContactWorld world = makeBarWorld("back_8163");
   setLaw(world, GetParam());
   for (const double radius_mm : {0.0, 8.0}) {
     for (const Vec2& at : {Vec2(175, 200), Vec2(190, 210), Vec2(240, 120), Vec2(100, 262)}) {
       const Vec3 above(at.x(), at.y(), 300.0);
       const tree::Crossing hit = tree::firstFrontCrossing(world.surface.geometry->tree, above, above - Vec3(0, 0, 600));
-      contact::FingerSettings settings = fingerOf(radius_mm);
+      contact::FingerSettings settings = makeBarFinger(radius_mm);
       settings.mu_static = settings.mu_dynamic = 0.0;
       contact::FingerState state;
       double given = 0.0;

@@ -29,7 +29,7 @@ class SlideAtSize : public testing::TestWithParam<SizeBar> {
 };
 
 TEST_P(SlideAtSize, KeepsLagForceStepAndHeap) {
-  bench::ContactWorld world = worldOf(fmt::format("back_{}", GetParam().triangles));
+  bench::ContactWorld world = makeBarWorld(fmt::format("back_{}", GetParam().triangles));
 
   const bench::ContactFigures point = measure(world, "back_slide", 0.0, kSlideWindow);
   EXPECT_LE(point.lag_mm.p99, kLagP99Mm);
@@ -51,10 +51,10 @@ INSTANTIATE_TEST_SUITE_P(Back, SlideAtSize, testing::ValuesIn(kSizes),
                          [](const auto& bar) { return fmt::to_string(bar.param.triangles); });
 
 TEST(Slide, IsTheSameAtEveryScaleOfTheWorld) {
-  bench::ContactWorld real = worldOf("back_8163", 1.0);
+  bench::ContactWorld real = makeBarWorld("back_8163", 1.0);
   const bench::ContactFigures expected = measure(real, "back_slide", 0.0, kSlideWindow);
   for (const double scale : {0.001, 1000.0}) {
-    bench::ContactWorld world = worldOf("back_8163", scale);
+    bench::ContactWorld world = makeBarWorld("back_8163", scale);
     const bench::ContactFigures figures = measure(world, "back_slide", 0.0, kSlideWindow);
     EXPECT_NEAR(figures.lag_mm.max, expected.lag_mm.max, 1e-6) << scale;
     EXPECT_NEAR(figures.peak_force_n, expected.peak_force_n, 1e-6) << scale;
@@ -64,14 +64,14 @@ TEST(Slide, IsTheSameAtEveryScaleOfTheWorld) {
 }
 
 TEST(Slide, IsTheSameToTheLastBitWhenRepeated) {
-  bench::ContactWorld world = worldOf("back_8163");
+  bench::ContactWorld world = makeBarWorld("back_8163");
   for (const double radius_mm : {0.0, 8.0}) {
     EXPECT_EQ(measure(world, "back_slide", radius_mm).hash, measure(world, "back_slide", radius_mm).hash);
   }
 }
 
 TEST(Slide, AllocatesNothingInAHundredThousandTicks) {
-  bench::ContactWorld world = worldOf("back_8163");
+  bench::ContactWorld world = makeBarWorld("back_8163");
   std::uint64_t ticks = 0;
   for (const char* path : {"back_slide", "back_jump1mm", "back_jump5mm", "back_jump20mm", "back_stab2mps"}) {
     for (const double radius_mm : {0.0, 8.0}) {

@@ -153,7 +153,7 @@ TEST_P(TrunkOfSize, HoldsTheBarsWhereverTheSkinTurns) {
       const device::Trajectory path = wanderRound(world.side, region.middle, region.reach_mm, ticks, 1 + r);
       for (const double radius_mm : radiiMm()) {
         const std::string what = fmt::format("{}, {}, radius {} mm", build.name, region.name, radius_mm);
-        const bench::ContactFigures figures = bench::measureContact(world, path, fingerOf(radius_mm), kOnceDown);
+        const bench::ContactFigures figures = bench::measureContact(world, path, makeBarFinger(radius_mm), kOnceDown);
         expectNeverLost(figures, what);
         if (!region.tight) expectSmooth(figures, GetParam(), radius_mm > 0, what);
         expectClean(judged, path, radius_mm, what);

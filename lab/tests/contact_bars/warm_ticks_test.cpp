@@ -47,23 +47,23 @@ class WarmTicks : public testing::Test {
     if (!lab::kCountsCalls) GTEST_SKIP() << "allocations and locks cannot be counted in this build";
   }
 
-  bench::ContactWorld world = worldOf("back_8163");
+  bench::ContactWorld world = makeBarWorld("back_8163");
   device::Trajectory slide = longSlide();
 };
 
 TEST_F(WarmTicks, OfAPointAskNothingOfTheSystem) {
-  expectNothingAsked([&] { return bench::measureContact(world, slide, fingerOf(0.0)); });
+  expectNothingAsked([&] { return bench::measureContact(world, slide, makeBarFinger(0.0)); });
 }
 
 TEST_F(WarmTicks, OfAFingertipAskNothingOfTheSystem) {
-  expectNothingAsked([&] { return bench::measureContact(world, slide, fingerOf(8.0)); });
+  expectNothingAsked([&] { return bench::measureContact(world, slide, makeBarFinger(8.0)); });
 }
 
 TEST_F(WarmTicks, OfTheDetectingBoxAskNothingOfTheSystem) {
   for (const auto query : {hdb::HdbQuery::leaves, hdb::HdbQuery::coherent, hdb::HdbQuery::linked}) {
     bench::HdbRunSettings settings;
     settings.hdb.query = query;
-    expectNothingAsked([&] { return bench::measureHdb(world, slide, fingerOf(0.0), settings).contact; });
+    expectNothingAsked([&] { return bench::measureHdb(world, slide, makeBarFinger(0.0), settings).contact; });
   }
 }
 

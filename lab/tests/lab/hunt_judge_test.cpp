@@ -49,13 +49,13 @@ class HuntJudgement : public testing::Test {
   HuntReport judged(const std::vector<contact::FingerOutput>& outputs, double radius = 0.0) {
     contact::FingerSettings finger;
     finger.radius_mm = radius;
-    HuntJudge judge(plate, finger, kStiffness);
+    HuntOracle judge(plate, finger, kStiffness);
     for (const contact::FingerOutput& o : outputs) judge.add(o);
     return judge.report();
   }
-  static std::size_t ticksOf(const HuntReport& report, Fault fault) { return report.of(fault).ticks; }
+  static std::size_t faultTicks(const HuntReport& report, Fault fault) { return report.of(fault).ticks; }
 
-  JudgedBody plate{plateMesh(100, kTop, 12), false};
+  OracleBody plate{plateMesh(100, kTop, 12), false};
 };
 
 TEST_F(HuntJudgement, ARightFingerIsRight) {
@@ -71,19 +71,19 @@ TEST_F(HuntJudgement, ARightFingerIsRight) {
 TEST_F(HuntJudgement, AFreeTipInsideIsAFallFromItsFirstTickOn) {
   const HuntReport report = judged({above(1), pressed(2), pressed(3), freeOutputAt({51, 47, 26}),
                                     freeOutputAt({51, 47, 25}), freeOutputAt({51, 47, 15}), above(1), above(2)});
-  EXPECT_EQ(ticksOf(report, Fault::fall), 3u);
+  EXPECT_EQ(faultTicks(report, Fault::fall), 3u);
   EXPECT_EQ(report.of(Fault::fall).first_tick, 3u);
   EXPECT_DOUBLE_EQ(report.of(Fault::fall).measured, 4.0);
-  EXPECT_EQ(ticksOf(report, Fault::missed_contact), 0u) << "it was held";
+  EXPECT_EQ(faultTicks(report, Fault::missed_contact), 0u) << "it was held";
 }
 
 TEST_F(HuntJudgement, ATipThatComesInUnfeltIsAMissedContactAndAFall) {
   const HuntReport report = judged({above(1), freeOutputAt({51, 47, 29}), freeOutputAt({51, 47, 28})});
-  EXPECT_EQ(ticksOf(report, Fault::missed_contact), 1u);
-  EXPECT_EQ(ticksOf(report, Fault::fall), 2u);
+  EXPECT_EQ(faultTicks(report, Fault::missed_contact), 1u);
+  EXPECT_EQ(faultTicks(report, Fault::fall), 2u);
   contact::FingerOutput unfelt = pressed(1);
   unfelt.force.setZero();
-  EXPECT_EQ(ticksOf(judged({above(1), unfelt}), Fault::missed_contact), 1u) << "touching, but without a force";
+  EXPECT_EQ(faultTicks(judged({above(1), unfelt}), Fault::missed_contact), 1u) << "touching, but without a force";
 }
 
 TEST_F(HuntJudgement, ATipThatBeginsInsideIsLetBeUntilItWasOutside) {
@@ -91,7 +91,7 @@ TEST_F(HuntJudgement, ATipThatBeginsInsideIsLetBeUntilItWasOutside) {
   EXPECT_TRUE(judged(inside).clean());
   std::vector<contact::FingerOutput> again = inside;
   again.push_back(freeOutputAt({51, 47, 29}));
-  EXPECT_EQ(ticksOf(judged(again), Fault::fall), 1u);
+  EXPECT_EQ(faultTicks(judged(again), Fault::fall), 1u);
 }
 
 TEST_F(HuntJudgement, ATipThatWentRightThroughIsOutsideAgain) {
@@ -111,20 +111,21 @@ TEST_F(HuntJudgement, AForceInFreeAirWithNothingBetweenIsAFault) {
     return o;
   };
   const HuntReport in_air = judged({above(1), pressed(1), held({103, 47, 26})});
-  EXPECT_EQ(ticksOf(in_air, Fault::held_in_air), 1u);
+  EXPECT_EQ(faultTicks(in_air, Fault::held_in_air), 1u);
   EXPECT_EQ(in_air.held_through_ticks, 0u);
-  EXPECT_EQ(ticksOf(judged({above(1), pressed(1), held({97, 47, 26})}), Fault::held_in_air), 0u) << "inside";
-  EXPECT_EQ(ticksOf(judged({above(9), held({103, 47, 26})}, 5.0), Fault::held_in_air), 0u) << "a sphere is not clear";
+  EXPECT_EQ(faultTicks(judged({above(1), pressed(1), held({97, 47, 26})}), Fault::held_in_air), 0u) << "inside";
+  EXPECT_EQ(faultTicks(judged({above(9), held({103, 47, 26})}, 5.0), Fault::held_in_air), 0u)
+      << "a sphere is not clear";
   contact::FingerOutput fading = held({103, 47, 26});
   fading.status = contact::kCatchingUp | contact::kLettingGo;
-  EXPECT_EQ(ticksOf(judged({above(1), pressed(1), fading}), Fault::held_in_air), 0u);
+  EXPECT_EQ(faultTicks(judged({above(1), pressed(1), fading}), Fault::held_in_air), 0u);
   const HuntReport through = judged({above(1), pressed(1), held({95, 47, -3})});
-  EXPECT_EQ(ticksOf(through, Fault::held_in_air), 0u);
+  EXPECT_EQ(faultTicks(through, Fault::held_in_air), 0u);
   EXPECT_EQ(through.held_through_ticks, 1u) << "behind the plate";
 }
 
 TEST_F(HuntJudgement, AFreeSphereMayNotOverlapTheSkin) {
-  EXPECT_EQ(ticksOf(judged({above(9), above(4.9)}, 5.0), Fault::missed_contact), 1u);
+  EXPECT_EQ(faultTicks(judged({above(9), above(4.9)}, 5.0), Fault::missed_contact), 1u);
   EXPECT_TRUE(judged({above(9), above(4.9999)}, 5.0).clean()) << "less than a thousandth of the radius";
 }
 
@@ -134,52 +135,52 @@ TEST_F(HuntJudgement, ForcesThatAreNotFinitePullOrLeaveTheConeAreWrong) {
   pulling.force = -pulling.force;
   dragging.force.x() = 0.461 * dragging.force.z();
   for (const auto& wrong : {endless, pulling, dragging})
-    EXPECT_EQ(ticksOf(judged({above(1), wrong}), Fault::wrong_force), 1u);
+    EXPECT_EQ(faultTicks(judged({above(1), wrong}), Fault::wrong_force), 1u);
   dragging.force.x() = 0.4599 * dragging.force.z();
-  EXPECT_EQ(ticksOf(judged({above(1), dragging}), Fault::wrong_force), 0u);
+  EXPECT_EQ(faultTicks(judged({above(1), dragging}), Fault::wrong_force), 0u);
 }
 
 TEST_F(HuntJudgement, AForceIntoTheSkinIsWrongWhateverNormalTheFingerClaims) {
   contact::FingerOutput turned = pressed(1);
   turned.normal = -turned.normal;
   turned.force = -turned.force;
-  EXPECT_EQ(ticksOf(judged({above(1), turned}), Fault::wrong_force), 1u);
+  EXPECT_EQ(faultTicks(judged({above(1), turned}), Fault::wrong_force), 1u);
   turned.status = contact::kCatchingUp;
-  EXPECT_EQ(ticksOf(judged({above(1), turned}), Fault::wrong_force), 0u) << "on its way";
+  EXPECT_EQ(faultTicks(judged({above(1), turned}), Fault::wrong_force), 0u) << "on its way";
 }
 
 TEST_F(HuntJudgement, AProxyOffTheSkinAndASunkenSphereAreWrong) {
   contact::FingerOutput off = pressed(1);
   off.proxy.z() += 1e-5;
-  EXPECT_EQ(ticksOf(judged({above(1), off}), Fault::wrong_force), 1u);
+  EXPECT_EQ(faultTicks(judged({above(1), off}), Fault::wrong_force), 1u);
   contact::FingerOutput sunk = pressedSphere(1);
   sunk.proxy.z() -= 0.06;
-  EXPECT_EQ(ticksOf(judged({above(9), sunk}, 5.0), Fault::wrong_force), 1u);
+  EXPECT_EQ(faultTicks(judged({above(9), sunk}, 5.0), Fault::wrong_force), 1u);
   sunk.status = contact::kStartedInside;
-  EXPECT_EQ(ticksOf(judged({above(9), sunk}, 5.0), Fault::wrong_force), 0u);
+  EXPECT_EQ(faultTicks(judged({above(9), sunk}, 5.0), Fault::wrong_force), 0u);
   contact::FingerOutput swallowed = pressedSphere(1);
   swallowed.proxy.z() -= 15.0;
-  EXPECT_EQ(ticksOf(judged({above(9), swallowed}, 5.0), Fault::wrong_force), 1u);
+  EXPECT_EQ(faultTicks(judged({above(9), swallowed}, 5.0), Fault::wrong_force), 1u);
 }
 
 TEST_F(HuntJudgement, AForceStepIsHeldToTheTipsMotion) {
   contact::FingerOutput jumped = pressed(2.0), dragged = pressed(2.001);
   dragged.force.x() = 0.06;  // the bound is 1.1 * 0.5 N/mm * (3 * 0.001 + 0.1) mm
   const HuntReport report = judged({above(1), jumped, dragged});
-  EXPECT_EQ(ticksOf(report, Fault::step), 1u);
+  EXPECT_EQ(faultTicks(report, Fault::step), 1u);
   EXPECT_EQ(report.of(Fault::step).first_tick, 2u);
   EXPECT_NEAR(report.of(Fault::step).bound, 1.1 * 0.5 * 0.103, 1e-9);
   dragged.status = contact::kTipLost;
   const HuntReport event = judged({above(1), jumped, dragged});
-  EXPECT_EQ(ticksOf(event, Fault::step), 0u);
+  EXPECT_EQ(faultTicks(event, Fault::step), 0u);
   EXPECT_EQ(event.events, 1u);
 }
 
 TEST(HuntJudgementOfSheets, WhatComesThroughTheSkinIsMissedAndWhatComesRoundItIsNot) {
-  JudgedBody sheet(flatMesh(), false);
+  OracleBody sheet(flatMesh(), false);
   contact::FingerSettings finger;
   const auto missed = [&](const std::vector<Vec3>& tips) {
-    HuntJudge judge(sheet, finger, kStiffness);
+    HuntOracle judge(sheet, finger, kStiffness);
     for (const Vec3& tip : tips) judge.add(freeOutputAt(tip));
     return judge.report().of(Fault::missed_contact).ticks;
   };
@@ -195,10 +196,10 @@ TEST(HuntJudgementOfTornBodies, WhatIsLetGoInsideFarFromTheHoleHasFallenAndWhatC
   });
   const Vec3 hole = mesh::centreOf(torn, *up);
   torn.triangles.erase(up);
-  JudgedBody ball(torn, false);
+  OracleBody ball(torn, false);
   ASSERT_FALSE(ball.closed());
   const auto falls = [&](const std::vector<contact::FingerOutput>& outputs) {
-    HuntJudge judge(ball, {}, kStiffness);
+    HuntOracle judge(ball, {}, kStiffness);
     for (const contact::FingerOutput& o : outputs) judge.add(o);
     return judge.report().of(Fault::fall).ticks;
   };
@@ -223,7 +224,7 @@ mesh::TriangleMesh openBox() {
 
 /// A finger in the air 80 mm from that opening.
 TEST(HuntJudgementOfTornBodies, AForceInFreeAirFarFromTheOpeningIsAFaultAndOneBesideItOrWithinIsNot) {
-  JudgedBody box(openBox(), false);
+  OracleBody box(openBox(), false);
   ASSERT_FALSE(box.closed());
   const auto held_in_air = [&](const Vec3& tip, double y) {
     contact::FingerOutput o = freeOutputAt(tip);
@@ -232,7 +233,7 @@ TEST(HuntJudgementOfTornBodies, AForceInFreeAirFarFromTheOpeningIsAFaultAndOneBe
     o.depth_mm = (o.proxy - tip).norm();
     o.normal = (o.proxy - tip) / o.depth_mm;
     o.force = kStiffness * o.depth_mm * o.normal;
-    HuntJudge judge(box, {}, kStiffness);
+    HuntOracle judge(box, {}, kStiffness);
     judge.add(freeOutputAt({90, y, 31}));
     judge.add(o);
     return judge.report().of(Fault::held_in_air).ticks;
@@ -242,8 +243,8 @@ TEST(HuntJudgementOfTornBodies, AForceInFreeAirFarFromTheOpeningIsAFaultAndOneBe
   EXPECT_EQ(held_in_air({103, 97, 26}, 97), 0u) << "the border is nearer than the proxy";
 }
 
-std::size_t missedBy(JudgedBody& body, const std::vector<Vec3>& tips) {
-  HuntJudge judge(body, {}, kStiffness);
+std::size_t missedBy(OracleBody& body, const std::vector<Vec3>& tips) {
+  HuntOracle judge(body, {}, kStiffness);
   for (const Vec3& tip : tips) judge.add(freeOutputAt(tip));
   return judge.report().of(Fault::missed_contact).ticks;
 }
@@ -254,7 +255,7 @@ TEST(HuntJudgementOfTornBodies, APointThatLeavesAFoldWhichIsInsideOutIsInTheAir)
   for (Vec3& p : fold.positions) p.x() += 120.0;
   for (Triangle& t : fold.triangles) std::swap(t[1], t[2]);
   mesh::append(fold, mesh);
-  JudgedBody body(mesh, true);
+  OracleBody body(mesh, true);
   EXPECT_EQ(missedBy(body, {{131, 7, 6}, {145, 7, 6}}), 0u);
   EXPECT_EQ(missedBy(body, {{51, 27, 36}, {51, 27, 25}}), 1u) << "into the box";
 }
@@ -262,7 +263,7 @@ TEST(HuntJudgementOfTornBodies, APointThatLeavesAFoldWhichIsInsideOutIsInTheAir)
 TEST(HuntJudgementOfTornBodies, APointThatPassesByAnEdgeOrLeavesACornerDidNotComeIn) {
   mesh::TriangleMesh bowl = bumpyBallMesh(60, 0, 0, 2);
   std::erase_if(bowl.triangles, [&](const Triangle& t) { return mesh::centreOf(bowl, t).z() > 52.0; });
-  JudgedBody body(bowl, false);
+  OracleBody body(bowl, false);
   const Vec3 far(0, 0, -90);
   EXPECT_EQ(missedBy(body, {far,
                             {36.832799545121006, 24.223537217711794, -36.832799545121006},
@@ -278,14 +279,14 @@ TEST(HuntJudgementOfTornBodies, APointThatPassesByAnEdgeOrLeavesACornerDidNotCom
 /// A sheet of 6 x 6 mm that is said to pierce itself: from 4.7 mm behind it takes less than a tenth of all
 /// directions.
 TEST(HuntJudgementOfSheets, AForceIsRightBehindASheetThatTakesFewOfAllDirections) {
-  JudgedBody sheet({{{0, 0, 0}, {0, 6, 0}, {0, 6, 6}, {0, 0, 6}}, {{0, 1, 2}, {0, 2, 3}}}, true);
+  OracleBody sheet({{{0, 0, 0}, {0, 6, 0}, {0, 6, 6}, {0, 0, 6}}, {{0, 1, 2}, {0, 2, 3}}}, true);
   contact::FingerOutput held = freeOutputAt({-4.7, 3, 3});
   held.touch = contact::Touch::stick;
   held.proxy = {0, 3, 3};
   held.normal = Vec3::UnitX();
   held.depth_mm = 4.7;
   held.force = kStiffness * held.depth_mm * held.normal;
-  HuntJudge judge(sheet, {}, kStiffness);
+  HuntOracle judge(sheet, {}, kStiffness);
   judge.add(freeOutputAt({1, 3, 3}));
   judge.add(held);
   EXPECT_LT(sheet.winding(held.tip), 0.1);
@@ -293,7 +294,7 @@ TEST(HuntJudgementOfSheets, AForceIsRightBehindASheetThatTakesFewOfAllDirections
 }
 
 TEST(HuntJudgementOfSheets, APointThatIsFeltAsATinySphereIsOnTheSkinAgainBesideABorder) {
-  JudgedBody sheet(flatMesh(), true);
+  OracleBody sheet(flatMesh(), true);
   const auto held = [](const Vec3& proxy, std::uint32_t status) {
     contact::FingerOutput o = freeOutputAt(proxy - Vec3(0, 0, 1));
     o.touch = contact::Touch::stick;
@@ -305,7 +306,7 @@ TEST(HuntJudgementOfSheets, APointThatIsFeltAsATinySphereIsOnTheSkinAgainBesideA
     return o;
   };
   const auto wrong = [&](double above) {
-    HuntJudge judge(sheet, {}, kStiffness);
+    HuntOracle judge(sheet, {}, kStiffness);
     judge.add(held({101, 50, 0}, contact::kAtBorder));
     for (int i = 0; i < 2; ++i) judge.add(held({50, 50, above}, 0));
     return judge.report().of(Fault::wrong_force).ticks;
@@ -316,7 +317,7 @@ TEST(HuntJudgementOfSheets, APointThatIsFeltAsATinySphereIsOnTheSkinAgainBesideA
 
 /// Over a sheet of 100 x 100 mm: where a sphere of 2 mm goes over the border, and from where it is let go under it.
 TEST(HuntJudgementOfSheets, ASphereMayBeLetGoBeyondABorderThatItWentOverAndLeavesTheSkinNowhereElse) {
-  JudgedBody sheet(flatMesh(), false);
+  OracleBody sheet(flatMesh(), false);
   contact::FingerSettings finger;
   finger.radius_mm = 2.0;
   const auto held = [](double x, std::uint32_t status) {
@@ -329,7 +330,7 @@ TEST(HuntJudgementOfSheets, ASphereMayBeLetGoBeyondABorderThatItWentOverAndLeave
     return o;
   };
   const auto wrong = [&](const std::vector<contact::FingerOutput>& outputs) {
-    HuntJudge judge(sheet, finger, kStiffness);
+    HuntOracle judge(sheet, finger, kStiffness);
     for (const contact::FingerOutput& o : outputs) judge.add(o);
     return judge.report().of(Fault::wrong_force).ticks;
   };
@@ -343,7 +344,7 @@ TEST(HuntJudgementOfSheets, ASphereMayBeLetGoBeyondABorderThatItWentOverAndLeave
 TEST(HuntJudgementOfTornBodies, ASphereBeyondTheBorderIsNoFallUntilItsTipComesThroughTheSkin) {
   mesh::TriangleMesh open = bumpyBallMesh(60, 0, 0, 4);
   std::erase_if(open.triangles, [&](const Triangle& t) { return mesh::centreOf(open, t).z() > 40.0; });
-  JudgedBody bowl(open, false);
+  OracleBody bowl(open, false);
   contact::FingerSettings finger;
   finger.radius_mm = 2.0;
   contact::FingerOutput afloat = freeOutputAt({0, 0, -10});
@@ -353,7 +354,7 @@ TEST(HuntJudgementOfTornBodies, ASphereBeyondTheBorderIsNoFallUntilItsTipComesTh
   afloat.force = 0.01 * afloat.normal;
   afloat.status = contact::kAtBorder;
   const auto falls = [&](const contact::FingerOutput& before, const Vec3& tip) {
-    HuntJudge judge(bowl, finger, kStiffness);
+    HuntOracle judge(bowl, finger, kStiffness);
     judge.add(freeOutputAt({0, 0, 90}));
     judge.add(before);
     judge.add(freeOutputAt(tip));
@@ -374,7 +375,7 @@ TEST(HuntJudgementOfTornBodies, ASphereBeyondTheBorderIsNoFallUntilItsTipComesTh
   joined.tip.z() = -25.0;
   on_skin.tip = {0, 0, -50};
   const auto falls_after = [&](const contact::FingerOutput& over_border) {
-    HuntJudge judge(bowl, finger, kStiffness);
+    HuntOracle judge(bowl, finger, kStiffness);
     judge.add(freeOutputAt({0, 0, 90}));
     for (const auto& o : {afloat, over_border, on_skin}) judge.add(o);
     judge.add(freeOutputAt({0, 0, -40}));
@@ -402,7 +403,7 @@ TEST(HuntJudgementOfTornBodies, ASphereThatSlidOverAHoleMustNotBeLetGoOverTheOth
   ASSERT_FALSE(world.body.closed());
   contact::FingerSettings finger;
   finger.radius_mm = 5.0;
-  HuntJudge judge(world.body, finger, kHuntedStiffness);
+  HuntOracle judge(world.body, finger, kHuntedStiffness);
   contact::FingerState state;
   const auto go = [&](const Vec3& from, const Vec3& to) {
     const int ticks = static_cast<int>((to - from).norm() / 0.5);

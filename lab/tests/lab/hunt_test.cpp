@@ -146,7 +146,7 @@ TEST(KeptCase, ComesBackBitByBit) {
   HuntPlan plan;
   plan.scale = kept.scale;
   kept.mesh = huntedMesh(plan, kept.body);
-  EXPECT_EQ(folderNameOf(kept), "missed_contact_coarse_7_r0.5_s4242");
+  EXPECT_EQ(caseFolderName(kept), "missed_contact_coarse_7_r0.5_s4242");
   writeCase(folder / "case", kept);
   const KeptCase read = readCase(folder / "case");
   EXPECT_EQ(read.body, kept.body);

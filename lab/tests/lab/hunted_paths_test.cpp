@@ -10,7 +10,7 @@ namespace {
 
 class HuntedPaths : public testing::Test {
  protected:
-  JudgedBody ball{bumpyBallMesh(60, 0.05, 5, 4), false};
+  OracleBody ball{bumpyBallMesh(60, 0.05, 5, 4), false};
 };
 
 TEST_F(HuntedPaths, BeginOutOfReachAndHaveTheirTicks) {
@@ -30,7 +30,7 @@ TEST_F(HuntedPaths, AreTheSameForTheSameSeedAndScaleWithTheBody) {
   EXPECT_EQ(huntedPath(ball, "walk", settings), huntedPath(ball, "walk", settings));
   mesh::TriangleMesh large = ball.mesh();
   for (Vec3& p : large.positions) p *= 1024.0;
-  JudgedBody large_ball(large, false);
+  OracleBody large_ball(large, false);
   const std::vector<Vec3> tips = huntedPath(ball, "press", settings);
   const std::vector<Vec3> large_tips = huntedPath(large_ball, "press", {.ticks = 500, .mm = 1024.0, .seed = 9});
   for (std::size_t k = 0; k < tips.size(); ++k) ASSERT_LT((1024.0 * tips[k] - large_tips[k]).norm(), 1e-6);

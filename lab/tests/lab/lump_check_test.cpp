@@ -23,7 +23,7 @@ class JudgedLumps : public ::testing::Test {
   }
   /// A finger that wanders over the lumps; `spoil` may break what it felt and where the lumps are.
   template <class Spoil>
-  HuntReport reportOf(const Spoil& spoil) {
+  HuntReport runCheck(const Spoil& spoil) {
     LumpCheck check(*plate_.lumps, settings_, 1);
     contact::FingerState state;
     contact::LumpPlaces places;
@@ -56,33 +56,33 @@ class JudgedLumps : public ::testing::Test {
 };
 
 TEST_F(JudgedLumps, AreSilentAsTheyAre) {
-  EXPECT_TRUE(reportOf([](contact::LumpPlaces&, contact::FingerOutput&) {}).clean());
+  EXPECT_TRUE(runCheck([](contact::LumpPlaces&, contact::FingerOutput&) {}).clean());
 }
 
 TEST_F(JudgedLumps, AForceThatIsNotTheSlopeOfTheEnergyIsFound) {
   const HuntReport report =
-      reportOf([](contact::LumpPlaces&, contact::FingerOutput& felt) { felt.lump_force.x() = 0.01; });
+      runCheck([](contact::LumpPlaces&, contact::FingerOutput& felt) { felt.lump_force.x() = 0.01; });
   EXPECT_EQ(report.of(Fault::lump_force).ticks, 1u);
   EXPECT_EQ(report.of(Fault::lump_force).first_tick, 400u);
 }
 
 TEST_F(JudgedLumps, AForceThatJumpsIsFound) {
   const HuntReport report =
-      reportOf([](contact::LumpPlaces&, contact::FingerOutput& felt) { felt.lump_force.z() = 30.0; });
+      runCheck([](contact::LumpPlaces&, contact::FingerOutput& felt) { felt.lump_force.z() = 30.0; });
   EXPECT_EQ(report.of(Fault::lump_step).ticks, 2u) << "there and back";
 }
 
 TEST_F(JudgedLumps, ALumpThatLeapsOrClimbsIsFound) {
   const HuntReport leapt =
-      reportOf([](contact::LumpPlaces& places, contact::FingerOutput&) { places.moved_mm[0].x() += 0.6; });
+      runCheck([](contact::LumpPlaces& places, contact::FingerOutput&) { places.moved_mm[0].x() += 0.6; });
   EXPECT_GE(leapt.of(Fault::lump_moved).ticks, 1u);
   const HuntReport fixed =
-      reportOf([](contact::LumpPlaces& places, contact::FingerOutput&) { places.moved_mm[1].x() += 0.01; });
+      runCheck([](contact::LumpPlaces& places, contact::FingerOutput&) { places.moved_mm[1].x() += 0.01; });
   EXPECT_GE(fixed.of(Fault::lump_moved).ticks, 1u);
   std::size_t climbs = 0;  // to one side or the other
   for (const double aside : {-0.3, 0.3}) {
     climbs +=
-        reportOf([aside](contact::LumpPlaces& places, contact::FingerOutput&) { places.moved_mm[0].x() += aside; })
+        runCheck([aside](contact::LumpPlaces& places, contact::FingerOutput&) { places.moved_mm[0].x() += aside; })
             .of(Fault::lump_moved)
             .ticks;
   }

@@ -17,7 +17,7 @@ TEST(Machine, KnowsWhatItRunsOnAndWhatBuiltIt) {
 
 TEST(Machine, IsOneLineThatHoldsEveryPart) {
   const lab::Machine machine = lab::thisMachine();
-  const std::string line = lab::lineOf(machine);
+  const std::string line = lab::describeMachine(machine);
   EXPECT_EQ(line.find('\n'), std::string::npos);
   for (const std::string* part : {&machine.cpu, &machine.kernel, &machine.compiler, &machine.build, &machine.simd}) {
     EXPECT_NE(line.find(*part), std::string::npos) << *part;

@@ -15,7 +15,7 @@ std::vector<double> countdown(int last) {
 }
 
 TEST(Percentiles, AreTheSamplesOfThatRank) {
-  const Percentiles of_thousand = percentilesOf(countdown(1000));
+  const Percentiles of_thousand = computePercentiles(countdown(1000));
   EXPECT_EQ(of_thousand.p50, 500.0);
   EXPECT_EQ(of_thousand.p99, 990.0);
   EXPECT_EQ(of_thousand.p99_9, 999.0);
@@ -23,13 +23,13 @@ TEST(Percentiles, AreTheSamplesOfThatRank) {
 }
 
 TEST(Percentiles, OfFewSamplesAreSamplesToo) {
-  const Percentiles of_three = percentilesOf({7.0, 1.0, 4.0});
+  const Percentiles of_three = computePercentiles({7.0, 1.0, 4.0});
   EXPECT_EQ(of_three.p50, 4.0);
   EXPECT_EQ(of_three.p99, 7.0);
-  EXPECT_EQ(percentilesOf({2.5}).p50, 2.5);
+  EXPECT_EQ(computePercentiles({2.5}).p50, 2.5);
 }
 
-TEST(Percentiles, OfNoSamplesAreZero) { EXPECT_EQ(percentilesOf({}).max, 0.0); }
+TEST(Percentiles, OfNoSamplesAreZero) { EXPECT_EQ(computePercentiles({}).max, 0.0); }
 
 }  // namespace
 }  // namespace palpate::lab

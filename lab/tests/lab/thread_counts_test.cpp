@@ -19,7 +19,7 @@ namespace {
 
 /// What `work` asks for on this thread.
 template <class Work>
-ThreadCounts countsOf(Work work) {
+ThreadCounts measureCounts(Work work) {
   const ThreadCounts before = countsOfThisThread();
   work();
   return countsSince(before);
@@ -34,11 +34,11 @@ class ThreadCountsOfCalls : public testing::Test {
  protected:
   template <class Work>
   static std::uint64_t allocationsOf(Work work) {
-    return countsOf(work).allocations.value();
+    return measureCounts(work).allocations.value();
   }
   template <class Work>
   static std::uint64_t locksOf(Work work) {
-    return countsOf(work).locks.value();
+    return measureCounts(work).locks.value();
   }
 };
 
@@ -114,7 +114,7 @@ TEST(ThreadCounts, SeeTheFirstTouchOfAPage) {
   if (!countsOfThisThread().page_faults) GTEST_SKIP() << "page faults cannot be counted on this system";
   constexpr std::size_t kBytes = std::size_t{64} << 20;  // above malloc's threshold: pages of its own, none touched yet
   const auto memory = std::unique_ptr<volatile char[]>(new char[kBytes]);
-  const ThreadCounts counts = countsOf([&] {
+  const ThreadCounts counts = measureCounts([&] {
     for (std::size_t i = 0; i < kBytes; i += 4096) memory[i] = 1;
   });
   EXPECT_GE(*counts.page_faults, 1u);
@@ -130,7 +130,7 @@ TEST(LargeArrays, LeaveSmallerListsTheirPages) {
     kept = const_cast<char*>(list.data());
   };
   make_and_free();
-  const ThreadCounts counts = countsOf([&] {
+  const ThreadCounts counts = measureCounts([&] {
     for (int i = 0; i < 10; ++i) make_and_free();
   });
   EXPECT_LT(*counts.page_faults, 100u) << "512 each time without";

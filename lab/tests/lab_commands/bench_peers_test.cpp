@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-json reportOf(const std::string& arguments) {
+json runForJson(const std::string& arguments) {
   const support::CommandResult result = support::runPalpate(arguments + " --json");
   EXPECT_EQ(result.exit_code, 0) << result.err;
   return json::parse(result.out);
@@ -45,9 +45,9 @@ void expectPeers(const json& report, const std::string& time, const std::string&
 
 TEST(BenchPeers, AnswerTheQueriesOfTheFinger) {
   const std::string run = "study bench contact --mesh back_2962 --trajectory back_slide --from 2 --to 4";
-  const json report = reportOf(run + " --peers --peer-seconds 0.5");
+  const json report = runForJson(run + " --peers --peer-seconds 0.5");
   expectPeers(report, "tick_us");
-  EXPECT_EQ(report["hash"], reportOf(run)["hash"]);  // ours is the same run
+  EXPECT_EQ(report["hash"], runForJson(run)["hash"]);  // ours is the same run
   EXPECT_EQ(report["peer_queries"]["segments"], report["ticks"]);
   const double distance = report["peers"]["literal"]["mean_distance_mm"];
   EXPECT_GT(distance, 5.0);
@@ -55,7 +55,7 @@ TEST(BenchPeers, AnswerTheQueriesOfTheFinger) {
 }
 
 TEST(BenchPeers, OfAToolSayWhichPadsTouch) {
-  const json report = reportOf(
+  const json report = runForJson(
       "study bench contact --mesh back_2962 --trajectory back_slide --from 2 --to 4 --tool head --peers --peer-seconds "
       "0.5");
   for (const char* name : {"bullet", "fcl"}) {
@@ -70,7 +70,7 @@ TEST(BenchPeers, OfAToolSayWhichPadsTouch) {
 }
 
 TEST(BenchPeers, AnswerTheBoxes) {
-  const json report = reportOf("study bench partition --mesh back_2962 --ticks 200 --peers --peer-seconds 0.5");
+  const json report = runForJson("study bench partition --mesh back_2962 --ticks 200 --peers --peer-seconds 0.5");
   expectPeers(report, "hdb_query_us");
   EXPECT_DOUBLE_EQ(report["peers"]["literal"]["mean_triangles"].get<double>(), report["mean_triangles"].get<double>());
 }

@@ -48,7 +48,7 @@ double axisDeg(double degrees) {
   return turned <= -90.0 ? turned + 180.0 : turned;
 }
 
-int sectorOf(const std::optional<double>& drag_deg) {
+int dragSector(const std::optional<double>& drag_deg) {
   if (!drag_deg) return -1;
   const int sector = static_cast<int>(std::lround(*drag_deg / kSectorDeg)) % 8;
   return sector < 0 ? sector + 8 : sector;
@@ -74,7 +74,7 @@ std::optional<Mat3> statedCovariance(const PressRow& press) {
 }
 
 /// Weight of a press among those of its person.
-double weightOf(const PressRow& press, bool all_stated) {
+double pressWeight(const PressRow& press, bool all_stated) {
   return all_stated ? 1.0 / statedCovariance(press)->trace() : 1.0;
 }
 
@@ -85,14 +85,14 @@ struct Unit {
   maps::PlainMean plain{0.0, 0.0, 0.0, 0.0};
 };
 
-Unit unitOf(const std::vector<const PressRow*>& presses) {
+Unit averageUnit(const std::vector<const PressRow*>& presses) {
   const bool all_stated =
       std::ranges::all_of(presses, [](const PressRow* p) { return statedCovariance(*p).has_value(); });
   Unit unit;
   double weights = 0.0;
   const auto n = static_cast<double>(presses.size());
   for (const PressRow* press : presses) {
-    const double weight = weightOf(*press, all_stated);
+    const double weight = pressWeight(*press, all_stated);
     unit.tensor += weight * maps::logTensor(ellipseOf(*press));
     weights += weight;
     const double major_cm = press->half_major_mm / 5.0;
@@ -139,15 +139,15 @@ std::vector<std::vector<const PressRow*>> bySubject(const std::vector<const Pres
   return people;
 }
 
-Group groupOf(std::vector<const PressRow*> presses) {
+Group makeGroup(std::vector<const PressRow*> presses) {
   Group group{.drag_deg = meanDrag(presses), .presses = std::move(presses)};
   const auto people = bySubject(group.presses);
   group.of_people = people.size() > 1;
-  for (const auto& person : people) group.units.push_back(unitOf(person));
+  for (const auto& person : people) group.units.push_back(averageUnit(person));
   for (const Unit& unit : group.units) group.mean += unit.tensor / static_cast<double>(group.units.size());
   if (!group.of_people) {
     group.units.clear();  // the mean stays: it is weighted
-    for (const PressRow* press : group.presses) group.units.push_back(unitOf({press}));
+    for (const PressRow* press : group.presses) group.units.push_back(averageUnit({press}));
   }
   for (const Unit& unit : group.units) {
     group.scatter += (unit.tensor - group.mean) * (unit.tensor - group.mean).transpose();
@@ -201,7 +201,7 @@ double quantile95(double freedom) {
 }
 
 /// Errors of size, ratio and direction by draws: near a circle nothing is linear.
-void tellErrors(MeanEllipse& mean) {
+void estimateErrors(MeanEllipse& mean) {
   const LogTensor centre = maps::logTensor(mean.ellipse);
   const Mat3 root = (mean.covariance + 1e-14 * Mat3::Identity()).llt().matrixL();
   Random random(17);
@@ -221,14 +221,14 @@ void tellErrors(MeanEllipse& mean) {
   mean.direction_deg.sd = sd.z();
 }
 
-MeanEllipse meanOf(const maps::Ellipse& ellipse, const Error3& error) {
+MeanEllipse makeMeanEllipse(const maps::Ellipse& ellipse, const Error3& error) {
   MeanEllipse mean{.ellipse = ellipse,
                    .half_major_mm = {ellipse.half_major_mm, kNotKnown},
                    .major_over_minor = {1.0 / ellipse.aspect, kNotKnown},
                    .direction_deg = {axisDeg(ellipse.direction_rad * kDegPerRad), kNotKnown},
                    .covariance = error.covariance,
                    .freedom = error.freedom};
-  if (error.freedom > 0.0) tellErrors(mean);
+  if (error.freedom > 0.0) estimateErrors(mean);
   return mean;
 }
 
@@ -243,7 +243,7 @@ void countIn(MeanEllipse& mean, const std::vector<const PressRow*>& presses) {
 
 // --- plain
 
-maps::PlainMean plainOf(const std::vector<Unit>& units) {
+maps::PlainMean computePlainMean(const std::vector<Unit>& units) {
   maps::PlainMean mean{0.0, 0.0, 0.0, 0.0};
   for (const Unit& unit : units) {
     mean.major_cm += unit.plain.major_cm;
@@ -256,7 +256,7 @@ maps::PlainMean plainOf(const std::vector<Unit>& units) {
 }
 
 maps::Ellipse ellipseOf(const Group& group, Averaging averaging) {
-  return averaging == Averaging::plain ? maps::asPrinted(plainOf(group.units)) : maps::ellipseOf(group.mean);
+  return averaging == Averaging::plain ? maps::asPrinted(computePlainMean(group.units)) : maps::ellipseOf(group.mean);
 }
 
 // --- drags of a point
@@ -290,7 +290,7 @@ OverDrags overDrags(const std::vector<DragMean>& drags) {
 }
 
 /// Tensor of a drag = that of the tissue + stretch * (0, cos 2 drag, sin 2 drag): takes the stretch out of the mean.
-Estimate takeOutDrag(const std::vector<DragMean>& drags, OverDrags& all) {
+Estimate removeDragStretch(const std::vector<DragMean>& drags, OverDrags& all) {
   Vec2 centre = Vec2::Zero();
   for (const DragMean& drag : drags) centre += doubled(*drag.drag_deg * kRadPerDeg) / static_cast<double>(drags.size());
   double square = 0.0;
@@ -327,8 +327,8 @@ PointMean pointMean(const std::vector<Group>& groups, const PooledScatter& of_pe
   std::vector<const PressRow*> presses;
   PointMean point;
   for (const Group& group : groups) {
-    DragMean drag{group.drag_deg,
-                  meanOf(ellipseOf(group, averaging), meanError(group, group.of_people ? of_people : of_presses))};
+    DragMean drag{group.drag_deg, makeMeanEllipse(ellipseOf(group, averaging),
+                                                  meanError(group, group.of_people ? of_people : of_presses))};
     countIn(drag.mean, group.presses);
     point.drags.push_back(std::move(drag));
     presses.insert(presses.end(), group.presses.begin(), group.presses.end());
@@ -339,8 +339,8 @@ PointMean pointMean(const std::vector<Group>& groups, const PooledScatter& of_pe
   point.mean = point.drags.front().mean;
   if (point.drags.size() > 1) {
     OverDrags all = overDrags(point.drags);
-    if (betweenDrags(groups) >= kMinBetweenDragsDeg) point.along_drag = takeOutDrag(point.drags, all);
-    point.mean = meanOf(maps::ellipseOf(all.mean), all.error);
+    if (betweenDrags(groups) >= kMinBetweenDragsDeg) point.along_drag = removeDragStretch(point.drags, all);
+    point.mean = makeMeanEllipse(maps::ellipseOf(all.mean), all.error);
     countIn(point.mean, presses);
   }
   point.half_major_4_mm = meanNumber(presses, &PressRow::half_major_4_mm);
@@ -388,18 +388,18 @@ void addMirrors(Averages& averages) {
 }
 
 /// The groups of every point, in the order of the rows.
-std::vector<std::vector<Group>> groupsOf(std::span<const PressRow> presses, const AverageSettings& settings) {
+std::vector<std::vector<Group>> groupPresses(std::span<const PressRow> presses, const AverageSettings& settings) {
   std::vector<std::string> order;
   std::map<std::string, std::map<int, std::vector<const PressRow*>>, std::less<>> points;
   for (const PressRow& press : presses) {
-    if (settings.drag_deg && sectorOf(press.drag_deg) != sectorOf(settings.drag_deg)) continue;
+    if (settings.drag_deg && dragSector(press.drag_deg) != dragSector(settings.drag_deg)) continue;
     if (!points.contains(press.point)) order.push_back(press.point);
-    points[press.point][sectorOf(press.drag_deg)].push_back(&press);
+    points[press.point][dragSector(press.drag_deg)].push_back(&press);
   }
   std::vector<std::vector<Group>> all;
   for (const std::string& name : order) {
     std::vector<Group>& groups = all.emplace_back();
-    for (auto& [sector, rows] : points[name]) groups.push_back(groupOf(std::move(rows)));
+    for (auto& [sector, rows] : points[name]) groups.push_back(makeGroup(std::move(rows)));
   }
   return all;
 }
@@ -407,9 +407,9 @@ std::vector<std::vector<Group>> groupsOf(std::span<const PressRow> presses, cons
 }  // namespace
 
 Averages averagePresses(std::span<const PressRow> presses, const AverageSettings& settings) {
-  const std::vector<std::vector<Group>> points = groupsOf(presses, settings);
+  const std::vector<std::vector<Group>> points = groupPresses(presses, settings);
   if (points.empty()) {
-    throw Error(settings.drag_deg ? fmt::format("no press was dragged {}", dragWords(*settings.drag_deg))
+    throw Error(settings.drag_deg ? fmt::format("no press was dragged {}", dragDirectionName(*settings.drag_deg))
                                   : std::string("no press to average"));
   }
   PooledScatter of_people;
@@ -461,7 +461,7 @@ std::string dragRemark(const PointMean& point) {
     return fmt::format(
         "pulled {} only: one way of pulling can never give the tissue's own direction (E34); pull a "
         "second time across it",
-        dragWords(*point.drags.front().drag_deg));
+        dragDirectionName(*point.drags.front().drag_deg));
   }
   return "the ways of pulling lie less than 60 degrees apart as axes: they do not tell the tissue from the drag (E34)";
 }

@@ -88,7 +88,7 @@ std::string dragRemark(const PointMean& point);
 std::string keyPointTable(const Averages& averages, bool by_drag = false);
 
 /// "up", "left", "up and left"; degrees where no word is near.
-std::string dragWords(double drag_deg);
+std::string dragDirectionName(double drag_deg);
 /// Parses a direction as a word or a number.
 std::optional<double> dragNamed(std::string_view words);
 

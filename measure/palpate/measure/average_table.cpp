@@ -25,8 +25,8 @@ std::string optionalField(const std::optional<double>& number) { return number ?
 std::string errorField(double sd) { return std::isfinite(sd) ? fmt::format("{:.4g}", sd) : ""; }
 
 /// Ten digits: values printed with fewer are read back unchanged.
-std::string rowOf(const std::string& name, const PointMean& point, const MeanEllipse& mean,
-                  const std::optional<double>& drag_deg) {
+std::string formatRow(const std::string& name, const PointMean& point, const MeanEllipse& mean,
+                      const std::optional<double>& drag_deg) {
   return fmt::format("{},{:.10g},{:.10g},{:.10g},{:.10g},{:.10g},{},{},{},{},{},{},{}\n", name, point.place_mm.x(),
                      point.place_mm.y(), mean.half_major_mm.value, mean.major_over_minor.value,
                      mean.direction_deg.value, optionalField(point.stiffness_n_per_mm),
@@ -44,18 +44,18 @@ std::string keyPointTable(const Averages& averages, bool by_drag) {
   for (const PointMean& point : averages.points) {
     if (!by_drag) {
       const bool one = point.drags.size() == 1;
-      table += rowOf(point.name, point, point.mean, one ? point.drags.front().drag_deg : std::nullopt);
+      table += formatRow(point.name, point, point.mean, one ? point.drags.front().drag_deg : std::nullopt);
       continue;
     }
     for (const DragMean& drag : point.drags) {
-      const std::string way = drag.drag_deg ? fmt::format(" {}", dragWords(*drag.drag_deg)) : std::string();
-      table += rowOf(point.name + way, point, drag.mean, drag.drag_deg);
+      const std::string way = drag.drag_deg ? fmt::format(" {}", dragDirectionName(*drag.drag_deg)) : std::string();
+      table += formatRow(point.name + way, point, drag.mean, drag.drag_deg);
     }
   }
   return table;
 }
 
-std::string dragWords(double drag_deg) {
+std::string dragDirectionName(double drag_deg) {
   constexpr double kNearDeg = 22.5;
   for (const DragWord& drag : kDragWords) {
     if (std::abs(std::remainder(drag_deg - drag.degrees, 360.0)) <= kNearDeg) return std::string(drag.word);

@@ -25,7 +25,7 @@ constexpr double kLengthRatio = 1.8;  // largest ratio of the two pairs' lengths
 constexpr std::size_t kSeeds = 5;
 constexpr double kReach = 0.27;       // a dot is on a site within this share of the spacing
 constexpr double kAreaWeight = 0.04;  // in spacings, for a dot of e times the neighbours' area
-constexpr int kForetellingSites = 2;  // sites that predict another; also the farthest jump over a gap
+constexpr int kPredictorSites = 2;    // sites that predict another; also the farthest jump over a gap
 constexpr double kMinOutlier = 0.08;  // in spacings
 constexpr double kOutlierMedians = 4.5;
 constexpr int kCleanings = 6;
@@ -105,12 +105,12 @@ std::vector<Seed> bestSeeds(std::span<const Dot> dots) {
 class Lattice {
  public:
   Lattice(std::span<const Dot> dots, const Seed& seed) : dots_(dots), used_(dots.size(), false) {
-    take({0, 0}, seed.dot);
+    assignDot({0, 0}, seed.dot);
     const Vec2 centre = dots[seed.dot].place_px;
     const double reach = kReach * seed.first.norm();
     const std::pair<Site, Vec2> around[] = {
         {{1, 0}, seed.first}, {{-1, 0}, -seed.first}, {{0, 1}, seed.second}, {{0, -1}, -seed.second}};
-    for (const auto& [site, offset] : around) takeNear(site, centre + offset, reach);
+    for (const auto& [site, offset] : around) assignNearestDot(site, centre + offset, reach);
   }
 
   void grow() {
@@ -123,7 +123,7 @@ class Lattice {
       for (std::size_t i = 0; i < best; ++i) {
         const Candidate& c = candidates[i];
         if (used_[c.dot] || sites_.contains(c.site)) continue;
-        take(c.site, c.dot);
+        assignDot(c.site, c.dot);
         grew = true;
       }
       if (!grew) return;
@@ -157,14 +157,14 @@ class Lattice {
     double misfit = 0.0;
   };
 
-  void take(const Site& site, std::size_t dot) {
+  void assignDot(const Site& site, std::size_t dot) {
     sites_[site] = dot;
     used_[dot] = true;
   }
 
-  void takeNear(const Site& site, const Vec2& place, double reach) {
+  void assignNearestDot(const Site& site, const Vec2& place, double reach) {
     const auto nearest = nearestFree(place, reach, {});
-    if (nearest) take(site, nearest->first);
+    if (nearest) assignDot(site, nearest->first);
   }
 
   /// Dot and misfit in pixels; with a usual area, one like it is preferred.
@@ -190,8 +190,8 @@ class Lattice {
 
   Around around(const Site& site) const {
     Around found;
-    for (int dc = -kForetellingSites; dc <= kForetellingSites; ++dc) {
-      for (int dr = -kForetellingSites; dr <= kForetellingSites; ++dr) {
+    for (int dc = -kPredictorSites; dc <= kPredictorSites; ++dc) {
+      for (int dr = -kPredictorSites; dr <= kPredictorSites; ++dr) {
         if (dc == 0 && dr == 0) continue;
         const auto at = sites_.find({site.first + dc, site.second + dr});
         if (at == sites_.end()) continue;
@@ -207,12 +207,12 @@ class Lattice {
     std::map<Site, bool> asked;
     std::vector<Candidate> candidates;
     for (const auto& [site, dot] : sites_) {
-      for (int dc = -kForetellingSites; dc <= kForetellingSites; ++dc) {
-        for (int dr = -kForetellingSites; dr <= kForetellingSites; ++dr) {
+      for (int dc = -kPredictorSites; dc <= kPredictorSites; ++dc) {
+        for (int dr = -kPredictorSites; dr <= kPredictorSites; ++dr) {
           const Site free{site.first + dc, site.second + dr};
           if (sites_.contains(free) || !asked.emplace(free, true).second) continue;
           const Around near = around(free);
-          const auto trend = trendOf(near.neighbours);
+          const auto trend = fitTrend(near.neighbours);
           if (!trend) continue;
           const double spacing = 0.5 * (trend->slope.col(0).norm() + trend->slope.col(1).norm());
           const auto nearest = nearestFree(trend->value, kReach * spacing, near.mean_area);
@@ -224,7 +224,7 @@ class Lattice {
   }
 
   double misfitAt(const Site& site, std::size_t dot) const {
-    const auto trend = trendOf(around(site).neighbours);
+    const auto trend = fitTrend(around(site).neighbours);
     if (!trend) return 1.0;
     const double spacing = 0.5 * (trend->slope.col(0).norm() + trend->slope.col(1).norm());
     return (dots_[dot].place_px - trend->value).norm() / std::max(spacing, 1e-9);

@@ -81,7 +81,7 @@ DotMatch mutualMatch(std::span<const Vec2> expected_px, std::span<const Dot> aft
 
 using DotsBySite = std::map<std::pair<int, int>, std::size_t>;
 
-DotsBySite sitesOf(const DotGrid& grid) {
+DotsBySite indexDotsBySite(const DotGrid& grid) {
   DotsBySite sites;
   for (std::size_t i = 0; i < grid.dots.size(); ++i) sites[{grid.dots[i].site.column, grid.dots[i].site.row}] = i;
   return sites;
@@ -101,7 +101,7 @@ std::optional<Vec2> predictedMotion(const DotGrid& grid, const DotsBySite& sites
   }
   if (neighbours.size() < 2) return {};
   constexpr std::size_t kNeverBent = 1000;
-  if (const auto trend = trendOf(neighbours, kNeverBent)) return trend->value;
+  if (const auto trend = fitTrend(neighbours, kNeverBent)) return trend->value;
   Vec2 mean = Vec2::Zero();
   for (const Neighbour& n : neighbours) mean += n.value / static_cast<double>(neighbours.size());
   return mean;
@@ -109,7 +109,7 @@ std::optional<Vec2> predictedMotion(const DotGrid& grid, const DotsBySite& sites
 
 /// Grows from matched dots to unmatched neighbours, the best half of a round first.
 void growInwards(const DotGrid& grid, std::span<const Dot> after, DotMatch& match) {
-  const DotsBySite sites = sitesOf(grid);
+  const DotsBySite sites = indexDotsBySite(grid);
   std::vector<bool> used(after.size(), false);
   for (const auto& mark : match.of) {
     if (mark) used[*mark] = true;

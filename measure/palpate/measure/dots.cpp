@@ -45,7 +45,7 @@ struct InkPicture {
   double reduction = 1.0;  // pixels of the full picture a pixel
 };
 
-cv::Mat3b matrixOf(const Photograph& picture) {
+cv::Mat3b asMatrix(const Photograph& picture) {
   // OpenCV wants to write; nothing here does.
   return {picture.height_px, picture.width_px,
           reinterpret_cast<cv::Vec3b*>(const_cast<std::uint8_t*>(picture.rgb.data()))};  // NOLINT
@@ -67,8 +67,8 @@ cv::Mat1f lessBackground(const cv::Mat1b& channel, int window) {
   return difference;
 }
 
-InkPicture inkPictureOf(const Photograph& picture) {
-  const cv::Mat3b full = matrixOf(picture);
+InkPicture makeInkPicture(const Photograph& picture) {
+  const cv::Mat3b full = asMatrix(picture);
   const double pixels = static_cast<double>(full.total());
   InkPicture ink;
   cv::Mat reduced = full;
@@ -108,7 +108,7 @@ struct Blobs {
   std::vector<Blob> all;
 };
 
-Blobs blobsOf(const cv::Mat1b& mask) {
+Blobs findBlobs(const cv::Mat1b& mask) {
   Blobs blobs;
   cv::Mat stats;
   cv::Mat centres;
@@ -138,7 +138,7 @@ struct Sample {
   double area = 0.0;
 };
 
-Sample sampleOf(const InkPicture& ink, const Blobs& blobs, const Blob& blob) {
+Sample sampleBlob(const InkPicture& ink, const Blobs& blobs, const Blob& blob) {
   double a = 0.0;
   double b = 0.0;
   Sample sample;
@@ -160,11 +160,12 @@ std::vector<Sample> roundSamples(const InkPicture& ink) {
   const double noise = std::hypot(robustSd(ink.a), robustSd(ink.b)) / std::numbers::sqrt2;
   cv::Mat1f chroma;
   cv::magnitude(ink.a, ink.b, chroma);
-  const Blobs blobs = blobsOf(chroma > std::max(kMinChroma, kChromaNoises * noise));
+  const Blobs blobs = findBlobs(chroma > std::max(kMinChroma, kChromaNoises * noise));
   const double largest = kLargestBlobShare * static_cast<double>(chroma.total());
   std::vector<Sample> samples;
   for (const Blob& blob : blobs.all) {
-    if (blob.area >= kMinBlobPx && blob.area <= largest && isRound(blob)) samples.push_back(sampleOf(ink, blobs, blob));
+    if (blob.area >= kMinBlobPx && blob.area <= largest && isRound(blob))
+      samples.push_back(sampleBlob(ink, blobs, blob));
   }
   return samples;
 }
@@ -244,7 +245,7 @@ struct Levels {
 };
 
 /// The skin around as the ring's median, the dot's own strength as the upper tenth of the pixels within it.
-std::optional<Levels> levelsOf(const cv::Mat1f& ink, const Vec2& centre, double radius) {
+std::optional<Levels> measureLevels(const cv::Mat1f& ink, const Vec2& centre, double radius) {
   std::vector<float> ring;
   std::vector<float> inside;
   for (int y = 0; y < ink.rows; ++y) {
@@ -290,13 +291,13 @@ void centreFinely(const cv::Mat3b& picture, double hue_rad, Disc& disc) {
   const cv::Mat1f ink = inkIn(picture, box, hue_rad);
   const Vec2 corner(box.x, box.y);
   Vec2 place = disc.centre - corner;
-  const std::optional<Levels> levels = levelsOf(ink, place, disc.radius);
+  const std::optional<Levels> levels = measureLevels(ink, place, disc.radius);
   if (!levels) return;
   for (int i = 0; i < kCentrings; ++i) centre(ink, *levels, place, disc.radius, disc.area);
   disc.centre = corner + place;
 }
 
-Disc discOf(const Blobs& blobs, const Blob& blob, double reduction) {
+Disc measureDisc(const Blobs& blobs, const Blob& blob, double reduction) {
   Vec2 sum = Vec2::Zero();
   for (int y = blob.box.y; y < blob.box.br().y; ++y) {
     for (int x = blob.box.x; x < blob.box.br().x; ++x) {
@@ -316,20 +317,20 @@ Disc discOf(const Blobs& blobs, const Blob& blob, double reduction) {
 FoundDots findDots(const Photograph& picture, const std::optional<Ink>& known) {
   FoundDots found;
   if (known) found.ink = *known;
-  const InkPicture ink_picture = inkPictureOf(picture);
+  const InkPicture ink_picture = makeInkPicture(picture);
   const std::optional<InkHere> here = inkHere(roundSamples(ink_picture), known);
   if (!here) return found;
   found.ink = here->ink;
-  const Blobs blobs = blobsOf(alongInk(ink_picture, here->ink) > kPeakShare * here->ink.peak_chroma);
+  const Blobs blobs = findBlobs(alongInk(ink_picture, here->ink) > kPeakShare * here->ink.peak_chroma);
   std::vector<float> areas;
   for (const Blob& blob : blobs.all) {
     if (blob.area >= kMinBlobPx && isRound(blob)) areas.push_back(static_cast<float>(blob.area));
   }
   const double area = areas.empty() ? here->area : static_cast<double>(upperMedianOf(areas));
-  const cv::Mat3b full = matrixOf(picture);
+  const cv::Mat3b full = asMatrix(picture);
   for (const Blob& blob : blobs.all) {
     if (blob.area < kMinArea * area || blob.area > kMaxArea * area || blob.area < kMinBlobPx / 2) continue;
-    Disc disc = discOf(blobs, blob, ink_picture.reduction);
+    Disc disc = measureDisc(blobs, blob, ink_picture.reduction);
     centreFinely(full, here->ink.hue_rad, disc);
     found.dots.push_back({disc.centre, disc.area});
   }

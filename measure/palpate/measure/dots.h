@@ -90,6 +90,6 @@ struct Trend {
 };
 
 /// None where the neighbours lie in one line. From `bent_from` neighbours on it is quadratic.
-std::optional<Trend> trendOf(const std::vector<Neighbour>& neighbours, std::size_t bent_from = 12);
+std::optional<Trend> fitTrend(const std::vector<Neighbour>& neighbours, std::size_t bent_from = 12);
 
 }  // namespace palpate::measure

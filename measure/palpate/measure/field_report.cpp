@@ -108,8 +108,8 @@ struct Reported {
 constexpr std::array kLevelsMm = {2.0, 4.0};
 
 /// The skin's y is up and its x to the right; drift in the skin's frame.
-Reported reportedOf(const FieldNumbers& numbers, FieldForm form, const Mat2& mean_to_skin, int rays) {
-  const SkinField field = fieldOf(numbers, form);
+Reported deriveReported(const FieldNumbers& numbers, FieldForm form, const Mat2& mean_to_skin, int rays) {
+  const SkinField field = toSkinField(numbers, form);
   Reported r;
   r.form = form;
   for (std::size_t i = 0; i < kLevelsMm.size(); ++i) r.levels[i] = levelEllipse(field, kLevelsMm[i], rays);
@@ -136,7 +136,7 @@ double spread(const std::vector<Reported>& draws, const Difference& difference) 
 constexpr std::size_t kAxes = 2 * kLevelsMm.size();
 using AxisSlopes = Eigen::Matrix<double, kAxes, kFieldUnknowns>;
 
-Eigen::Vector<double, kAxes> logAxesOf(const Reported& reported) {
+Eigen::Vector<double, kAxes> logAxes(const Reported& reported) {
   Eigen::Vector<double, kAxes> logarithms;
   for (std::size_t i = 0; i < kLevelsMm.size(); ++i) {
     logarithms[2 * static_cast<Eigen::Index>(i)] = std::log(std::max(reported.levels[i].half_major_mm, 1e-3));
@@ -146,15 +146,15 @@ Eigen::Vector<double, kAxes> logAxesOf(const Reported& reported) {
 }
 
 /// Slopes of the half axes' logarithms by every unknown in its sd; forwards, away from the bound of the tail at 0.
-AxisSlopes axisSlopesOf(const FittedField& fitted, const Mat2& mean_to_skin) {
+AxisSlopes computeAxisSlopes(const FittedField& fitted, const Mat2& mean_to_skin) {
   const Eigen::Vector<double, kAxes> here =
-      logAxesOf(reportedOf(fitted.numbers, fitted.form, mean_to_skin, kRaysOfDraw));
+      logAxes(deriveReported(fitted.numbers, fitted.form, mean_to_skin, kRaysOfDraw));
   AxisSlopes slopes = AxisSlopes::Zero();
   for (int i = 0; i < kFirstDrift; ++i) {
     const double step = kSlopeStep * std::sqrt(fitted.covariance(i, i));
     FieldNumbers numbers = fitted.numbers;
     numbers[i] += step;
-    slopes.col(i) = (logAxesOf(reportedOf(numbers, fitted.form, mean_to_skin, kRaysOfDraw)) - here) / step;
+    slopes.col(i) = (logAxes(deriveReported(numbers, fitted.form, mean_to_skin, kRaysOfDraw)) - here) / step;
   }
   return slopes;
 }
@@ -168,22 +168,22 @@ void straighten(const Eigen::Vector<double, kAxes>& logarithms, Reported& draw) 
   }
 }
 
-std::vector<Reported> drawsOf(std::span<const WeighedField> forms, const Mat2& mean_to_skin) {
+std::vector<Reported> samplePosterior(std::span<const WeighedField> forms, const Mat2& mean_to_skin) {
   std::vector<Reported> draws;
   Random random(kSeed);
   for (const auto& [fitted, share] : forms) {
     const Eigen::LLT<FieldCovariance> root(fitted.covariance);
     if (root.info() != Eigen::Success) continue;
     const bool is_straight = fitted.form == FieldForm::deep;
-    const AxisSlopes slopes = is_straight ? axisSlopesOf(fitted, mean_to_skin) : AxisSlopes::Zero();
+    const AxisSlopes slopes = is_straight ? computeAxisSlopes(fitted, mean_to_skin) : AxisSlopes::Zero();
     const Eigen::Vector<double, kAxes> axes =
-        logAxesOf(reportedOf(fitted.numbers, fitted.form, mean_to_skin, kRaysOfDraw));
+        logAxes(deriveReported(fitted.numbers, fitted.form, mean_to_skin, kRaysOfDraw));
     const auto count = static_cast<int>(std::lround(share * kDrawsOfFit));
     for (int i = 0; i < count; ++i) {
       FieldNumbers normal;
       for (int j = 0; j < kFieldUnknowns; ++j) normal[j] = random.normal();
       const FieldNumbers off = root.matrixL() * normal;
-      draws.push_back(reportedOf(fitted.numbers + off, fitted.form, mean_to_skin, kRaysOfDraw));
+      draws.push_back(deriveReported(fitted.numbers + off, fitted.form, mean_to_skin, kRaysOfDraw));
       if (is_straight) straighten(axes + slopes * off, draws.back());
     }
   }
@@ -191,10 +191,10 @@ std::vector<Reported> drawsOf(std::span<const WeighedField> forms, const Mat2& m
 }
 
 /// The likeliest form's report, with lengths averaged over all forms by their shares.
-Reported meanOf(std::span<const WeighedField> forms, const Mat2& mean_to_skin) {
+Reported averageForms(std::span<const WeighedField> forms, const Mat2& mean_to_skin) {
   Reported mean;
   for (std::size_t i = 0; i < forms.size(); ++i) {
-    const Reported one = reportedOf(forms[i].fitted.numbers, forms[i].fitted.form, mean_to_skin, 72);
+    const Reported one = deriveReported(forms[i].fitted.numbers, forms[i].fitted.form, mean_to_skin, 72);
     const double share = forms[i].share;
     if (i == 0) {
       mean = one;
@@ -212,7 +212,7 @@ Reported meanOf(std::span<const WeighedField> forms, const Mat2& mean_to_skin) {
   return mean;
 }
 
-KeyEllipse keyEllipseOf(const Reported& best, const std::vector<Reported>& draws, std::size_t level) {
+KeyEllipse makeKeyEllipse(const Reported& best, const std::vector<Reported>& draws, std::size_t level) {
   const LevelEllipse& e = best.levels[level];
   const auto of = [&](const Reported& draw) -> const LevelEllipse& { return draw.levels[level]; };
   KeyEllipse key;
@@ -231,8 +231,8 @@ KeyEllipse keyEllipseOf(const Reported& best, const std::vector<Reported>& draws
   return key;
 }
 
-Drift driftOf(const FieldNumbers& n, const Reported& best, const std::vector<Reported>& draws,
-              const DriftPrior& prior) {
+Drift makeDrift(const FieldNumbers& n, const Reported& best, const std::vector<Reported>& draws,
+                const DriftPrior& prior) {
   const double* drift = n.data() + kFirstDrift;
   Drift d;
   d.right_mm = {best.drift.x(), spread(draws, [&](const auto& r) { return r.drift.x() - best.drift.x(); })};
@@ -308,16 +308,16 @@ void widenByDots(std::span<const FieldDatum> data, const FieldNumbers& numbers, 
 
 FieldFit reportField(std::span<const WeighedField> forms, const Mat2& mean_to_skin, const DriftPrior& prior) {
   const FittedField& likeliest = forms.front().fitted;
-  const Reported best = meanOf(forms, mean_to_skin);
-  const std::vector<Reported> draws = drawsOf(forms, mean_to_skin);
+  const Reported best = averageForms(forms, mean_to_skin);
+  const std::vector<Reported> draws = samplePosterior(forms, mean_to_skin);
   std::vector<Reported> alike;  // numbers that mean something in one form only
   std::copy_if(draws.begin(), draws.end(), std::back_inserter(alike),
                [&](const Reported& draw) { return draw.form == likeliest.form; });
   FieldFit fit;
-  fit.field = fieldOf(likeliest.numbers, likeliest.form);
+  fit.field = toSkinField(likeliest.numbers, likeliest.form);
   for (const WeighedField& form : forms) fit.forms.push_back({form.fitted.form, form.share});
-  fit.at_2_mm = keyEllipseOf(best, draws, 0);
-  fit.at_4_mm = keyEllipseOf(best, draws, 1);
+  fit.at_2_mm = makeKeyEllipse(best, draws, 0);
+  fit.at_4_mm = makeKeyEllipse(best, draws, 1);
   fit.contact_x_mm = {best.contact.x(), spread(draws, [&](const auto& d) { return d.contact.x() - best.contact.x(); })};
   fit.contact_y_mm = {best.contact.y(), spread(draws, [&](const auto& d) { return d.contact.y() - best.contact.y(); })};
   fit.peak_mm = Estimate{best.peak, spread(draws, [&](const auto& d) { return d.peak - best.peak; })};
@@ -326,7 +326,7 @@ FieldFit reportField(std::span<const WeighedField> forms, const Mat2& mean_to_sk
                                           })};
   fit.inverse_tail = {best.tail, spread(alike, [&](const auto& d) { return d.tail - best.tail; })};
   fit.sideways = {best.sideways, spread(alike, [&](const auto& d) { return d.sideways - best.sideways; })};
-  fit.drift = driftOf(likeliest.numbers, best, draws, prior);
+  fit.drift = makeDrift(likeliest.numbers, best, draws, prior);
   const double two_mm = fit.at_2_mm.half_major_mm.value;
   if (best.form == FieldForm::smooth && two_mm > 0.0 && best.peak > 2.0 && best.tail < kCompactTail)
     fit.gaussian_rim_mm = two_mm / std::sqrt(std::log(best.peak / 2.0) / kGaussianRim);

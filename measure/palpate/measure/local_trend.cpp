@@ -44,7 +44,7 @@ std::optional<Trend> solved(const std::vector<Neighbour>& neighbours, Eigen::Ind
 
 }  // namespace
 
-std::optional<Trend> trendOf(const std::vector<Neighbour>& neighbours, std::size_t bent_from) {
+std::optional<Trend> fitTrend(const std::vector<Neighbour>& neighbours, std::size_t bent_from) {
   if (neighbours.size() >= bent_from) {
     if (const auto bent = solved(neighbours, kBent)) return bent;
   }

@@ -37,7 +37,7 @@ struct PictureScale {
   double px_per_mm = 1.0;
 };
 
-PictureScale pictureScaleOf(const DotGrid& grid, double spacing_mm) {
+PictureScale computePictureScale(const DotGrid& grid, double spacing_mm) {
   PictureScale scale;
   for (const GridDot& dot : grid.dots) scale.centre_px += dot.dot.place_px / static_cast<double>(grid.dots.size());
   scale.px_per_mm = grid.spacing_px / spacing_mm;
@@ -57,17 +57,17 @@ class DotPairReading {
   DotPairReading(Measurement& measurement, std::span<const Dot> after)
       : m_(measurement),
         after_(after),
-        scale_(pictureScaleOf(m_.grid, m_.settings.spacing_mm)),
-        prior_(driftPriorOf(m_.settings.drift_mm)) {
+        scale_(computePictureScale(m_.grid, m_.settings.spacing_mm)),
+        prior_(makeDriftPrior(m_.settings.drift_mm)) {
     for (const GridDot& dot : m_.grid.dots) data_.push_back(datumAt(*m_.chart, scale_, dot.dot.place_px));
   }
 
   void measure(const Progress& progress) {
     report(progress, "matching dots", 0.0);
-    take(matchDots(m_.grid, after_));
+    adoptMatch(matchDots(m_.grid, after_));
     for (int i = 0; i < kMatchesAgain && m_.matched >= kMinForFit; ++i) {
       fit();
-      take(matchAt(m_.grid, predicted(), after_));
+      adoptMatch(matchAt(m_.grid, predicted(), after_));
     }
     if (m_.matched < kMinForFit) return;
     report(progress, "fitting the field", 0.5);
@@ -96,7 +96,7 @@ class DotPairReading {
     std::size_t visible = 0;
     for (const auto& [column, row] : freeSitesBeside(known)) {
       if (neighbours(column, row) < 3) continue;
-      const Vec2 place = predictedOf(skinOfSite(column, row));
+      const Vec2 place = predictPixel(skinOfSite(column, row));
       const bool is_seen = [&] {
         for (std::size_t i = 0; i < after_.size(); ++i) {
           if (!used.contains(i) && (after_[i].place_px - place).norm() < kNewlyVisibleReach * m_.grid.spacing_px)
@@ -110,7 +110,7 @@ class DotPairReading {
   }
 
  private:
-  void take(DotMatch match) {
+  void adoptMatch(DotMatch match) {
     match_ = std::move(match);
     m_.matched = match_.count;
     m_.dots.assign(m_.grid.dots.size(), {});
@@ -143,14 +143,15 @@ class DotPairReading {
     fitted_ = forms_.front().fitted;
   }
 
-  Vec2 predictedOf(const FieldDatum& datum) const {
-    return m_.chart->pictureAt(datum.skin_mm + displacementAt(fieldOf(fitted_.numbers, fitted_.form), datum.skin_mm) +
+  Vec2 predictPixel(const FieldDatum& datum) const {
+    return m_.chart->pictureAt(datum.skin_mm +
+                               displacementAt(toSkinField(fitted_.numbers, fitted_.form), datum.skin_mm) +
                                driftAt(fitted_.numbers, datum));
   }
 
   std::vector<Vec2> predicted() const {
     std::vector<Vec2> places;
-    for (const FieldDatum& datum : data_) places.push_back(predictedOf(datum));
+    for (const FieldDatum& datum : data_) places.push_back(predictPixel(datum));
     return places;
   }
 
@@ -213,7 +214,7 @@ class DotPairReading {
 
   /// Correlation of neighbouring residuals of the likeliest form.
   double residualPattern() const {
-    const SkinField field = fieldOf(fitted_.numbers, fitted_.form);
+    const SkinField field = toSkinField(fitted_.numbers, fitted_.form);
     std::vector<Vec2> left;
     double squares = 0.0;
     for (const FieldDatum& datum : matched_data_) {
@@ -335,7 +336,7 @@ std::optional<double> nullDrift(const Photograph& first, const Photograph& secon
   m.grid = growGrid(before.dots);
   chartGrid(m);
   if (!m.chart) return {};
-  const PictureScale scale = pictureScaleOf(m.grid, settings.spacing_mm);
+  const PictureScale scale = computePictureScale(m.grid, settings.spacing_mm);
   const DotMatch match = matchDots(m.grid, after.dots);
   if (match.count < kMinForFit) return {};
   std::vector<FieldDatum> data;
@@ -346,7 +347,7 @@ std::optional<double> nullDrift(const Photograph& first, const Photograph& secon
     data.push_back(datum);
   }
   constexpr double kAnyDriftMm = 20.0;  // nothing else moves here: the dots alone decide
-  return fitDrift(data, driftPriorOf(kAnyDriftMm)).head<2>().norm();
+  return fitDrift(data, makeDriftPrior(kAnyDriftMm)).head<2>().norm();
 }
 
 }  // namespace palpate::measure

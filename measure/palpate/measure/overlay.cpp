@@ -33,7 +33,7 @@ constexpr double kRadPerDegree = std::numbers::pi / 180.0;
 /// No ellipse of a back is longer; an extrapolated one would fill the picture.
 constexpr double kLongestMm = 1000.0;
 
-Vec2 directionOf(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
+Vec2 unitVector(double angle_rad) { return {std::cos(angle_rad), std::sin(angle_rad)}; }
 
 /// The motion of a dot in the picture, `times` as long. With a fit the body's own motion is taken off.
 Vec2 arrowTip(const Measurement& m, const MeasuredDot& dot, double times) {
@@ -159,7 +159,7 @@ class Layers {
            m_.fit->at_2_mm.half_major_mm.value < kLongestMm;
   }
 
-  Vec2 pictureOf(const Vec2& skin_mm) const { return m_.chart->pictureAt(skin_mm); }
+  Vec2 toPicture(const Vec2& skin_mm) const { return m_.chart->pictureAt(skin_mm); }
 
   /// The ellipse, its radius longer or shorter by `sds` sd of its three numbers.
   std::vector<Vec2> ellipsePlaces(const KeyEllipse& key, double sds) const {
@@ -178,7 +178,7 @@ class Layers {
           std::hypot(r3 * c * c / (a * a * a) * key.half_major_mm.sd, r3 * s * s / (b * b * b) * key.half_minor_mm.sd,
                      r3 * c * s * (1.0 / (b * b) - 1.0 / (a * a)) * key.direction_deg.sd * kRadPerDegree);
       const double radius = std::max(0.0, r + sds * (std::isfinite(sd) ? std::min(sd, r) : r));
-      places.push_back(pictureOf(m_.fit->field.contact_mm + radius * directionOf(angle + turn)));
+      places.push_back(toPicture(m_.fit->field.contact_mm + radius * unitVector(angle + turn)));
     }
     return places;
   }
@@ -198,7 +198,7 @@ class Layers {
     for (const auto& [contour, level, dashed] :
          {std::tuple{&m_.contour->contour_2_mm, 2, false}, std::tuple{&m_.contour->contour_4_mm, 4, true}}) {
       OverlayLine line{.places_px = {}, .colour = kVermilion, .width = 1.0f, .dashed = dashed};
-      for (const Vec2& place : *contour) line.places_px.push_back(pictureOf(place));
+      for (const Vec2& place : *contour) line.places_px.push_back(toPicture(place));
       addLine(std::move(line), trf("{} mm contour, interpolated", level));
     }
   }
@@ -215,9 +215,9 @@ class Layers {
                .closed = true},
               tr("4 mm ellipse, fitted"));
     }
-    const Vec2 half = fit.at_2_mm.half_major_mm.value * directionOf(fit.at_2_mm.direction_deg.value * kRadPerDegree);
+    const Vec2 half = fit.at_2_mm.half_major_mm.value * unitVector(fit.at_2_mm.direction_deg.value * kRadPerDegree);
     const Vec2& centre = fit.field.contact_mm;
-    addLine({.places_px = {pictureOf(centre - half), pictureOf(centre), pictureOf(centre + half)},
+    addLine({.places_px = {toPicture(centre - half), toPicture(centre), toPicture(centre + half)},
              .colour = kBlue,
              .width = 1.0f},
             {});
@@ -226,7 +226,7 @@ class Layers {
   void addContacts() {
     if (drawsEllipse()) {
       panel_.marks.push_back(
-          {.place_px = pictureOf(m_.fit->field.contact_mm), .form = MarkForm::star, .colour = kInk, .radius = 6.0f});
+          {.place_px = toPicture(m_.fit->field.contact_mm), .form = MarkForm::star, .colour = kInk, .radius = 6.0f});
       panel_.legend.push_back({.words = tr("contact, fitted"), .colour = kInk, .form = MarkForm::star});
     }
     if (m_.settings.contact_px) {
@@ -249,7 +249,7 @@ class Layers {
   OverlayPanel panel_;
 };
 
-std::string verdictOf(const Measurement& m) {
+std::string describeVerdict(const Measurement& m) {
   if (!m.accepted()) {
     const auto refusal = std::find_if(m.findings.begin(), m.findings.end(),
                                       [](const Finding& finding) { return finding.severity == Severity::refusal; });
@@ -267,12 +267,12 @@ std::string verdictOf(const Measurement& m) {
 
 }  // namespace
 
-Overlay overlayOf(const Measurement& measurement, double arrow_scale) {
+Overlay buildOverlay(const Measurement& measurement, double arrow_scale) {
   Overlay overlay;
   Layers layers(measurement, arrow_scale);
   overlay.panels = {layers.before(), layers.after(), layers.result()};
   overlay.accepted = measurement.accepted() && measurement.fit.has_value();
-  overlay.verdict = verdictOf(measurement);
+  overlay.verdict = describeVerdict(measurement);
   for (const Finding& finding : measurement.findings) {
     overlay.findings.push_back(finding.severity == Severity::refusal ? trf("refused: {}", finding.text)
                                                                      : trf("warning: {}", finding.text));

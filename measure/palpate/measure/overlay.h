@@ -1,7 +1,7 @@
 // The overlay of a measurement's pictures, as plain lines, marks and texts: the command paints it with cairo, the
 // window with its own lists, both the same.
 //
-//   Measurement ─ overlayOf ─► Overlay (three panels, places in px of the pictures)
+//   Measurement ─ buildOverlay ─► Overlay (three panels, places in px of the pictures)
 #pragma once
 
 #include <cstdint>
@@ -74,6 +74,6 @@ struct Overlay {
 };
 
 /// `arrow_scale`: how much longer than the true motion arrows are drawn.
-Overlay overlayOf(const Measurement& measurement, double arrow_scale = 3.0);
+Overlay buildOverlay(const Measurement& measurement, double arrow_scale = 3.0);
 
 }  // namespace palpate::measure

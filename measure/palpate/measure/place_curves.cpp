@@ -42,7 +42,7 @@ class ForceColumns {
 
   void add(const CsvRow& row, std::vector<PlaceCurve>& curves) const {
     tissue::checkFields(row, count_);
-    PlaceCurve& curve = curveOf(row, curves);
+    PlaceCurve& curve = findOrAddCurve(row, curves);
     curve.curve.depth_mm.push_back(csvNumber(row, depth_, "depth_mm", kDepthsMm));
     curve.curve.force_n.push_back(csvNumber(row, force_, "force_n", kForcesN));
   }
@@ -57,7 +57,7 @@ class ForceColumns {
     return Vec2(csvNumber(row, *x_, "x_mm", kForcePlacesMm), csvNumber(row, *y_, "y_mm", kForcePlacesMm));
   }
 
-  PlaceCurve& curveOf(const CsvRow& row, std::vector<PlaceCurve>& curves) const {
+  PlaceCurve& findOrAddCurve(const CsvRow& row, std::vector<PlaceCurve>& curves) const {
     PlaceCurve wanted{.place = field(row, place_), .at_mm = placeOf(row), .subject = field(row, subject_)};
     wanted.curve.name = field(row, press_);
     if (wanted.place.empty()) throw Error::atLine(row.file, row.line, "the place has no name");

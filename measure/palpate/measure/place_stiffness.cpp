@@ -66,7 +66,7 @@ std::size_t depthsBelowSkin(const ForceCurve& rows) {
   return static_cast<std::size_t>(std::unique(depths.begin(), depths.end()) - depths.begin());
 }
 
-std::string refusalOf(const ForceCurve& rows) {
+std::string refusalReason(const ForceCurve& rows) {
   const std::size_t depths = depthsBelowSkin(rows);
   if (depths < tissue::kMinForceDepths) {
     return fmt::format("{} depths below the skin, {} are needed: press deeper, in more steps", depths,
@@ -93,7 +93,7 @@ std::string refusalOf(const ForceCurve& rows) {
 
 // --- one place
 
-FormOfPlace formOf(const ForceCurve& rows, ForceForm form) {
+FormOfPlace fitPlaceForm(const ForceCurve& rows, ForceForm form) {
   FormOfPlace found{.fit = fitForce(rows, form, {})};
   const auto n = static_cast<double>(rows.force_n.size());
   const double mean = std::accumulate(rows.force_n.begin(), rows.force_n.end(), 0.0) / n;
@@ -114,7 +114,7 @@ ForceForm bestForm(std::vector<ForceFit> fits) {
   return bestOf(fits).form;
 }
 
-std::size_t chosenOf(const std::vector<FormOfPlace>& forms, const PlaceFitSettings& settings) {
+std::size_t chooseFormIndex(const std::vector<FormOfPlace>& forms, const PlaceFitSettings& settings) {
   std::vector<ForceFit> fits;
   for (const FormOfPlace& form : forms) fits.push_back(form.fit);
   const ForceForm form = settings.form ? *settings.form : bestForm(fits);
@@ -126,7 +126,7 @@ struct MeanAndError {
   double error = std::numeric_limits<double>::quiet_NaN();
 };
 
-MeanAndError meanOf(const std::vector<double>& values) {
+MeanAndError meanWithError(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
   MeanAndError found{.mean = std::accumulate(values.begin(), values.end(), 0.0) / n};
   if (values.size() < 2) return found;
@@ -137,11 +137,11 @@ MeanAndError meanOf(const std::vector<double>& values) {
 }
 
 /// Secants of every person's presses; presses too short for a fit of their own are in the rows only.
-std::vector<std::vector<double>> secantsOf(const std::vector<const PlaceCurve*>& presses, ForceForm form) {
+std::vector<std::vector<double>> fitPersonSecants(const std::vector<const PlaceCurve*>& presses, ForceForm form) {
   std::vector<std::string> names;
   std::vector<std::vector<double>> people;
   for (const PlaceCurve* press : presses) {
-    if (!refusalOf(press->curve).empty()) continue;
+    if (!refusalReason(press->curve).empty()) continue;
     const auto found = std::ranges::find(names, press->subject);
     const auto which = static_cast<std::size_t>(found - names.begin());
     if (found == names.end()) {
@@ -154,18 +154,18 @@ std::vector<std::vector<double>> secantsOf(const std::vector<const PlaceCurve*>&
 }
 
 /// Over people; for one person over presses; for one press by its own fit.
-Estimate secantOf(const std::vector<const PlaceCurve*>& presses, const ForceFit& fit) {
+Estimate estimateSecant(const std::vector<const PlaceCurve*>& presses, const ForceFit& fit) {
   const Estimate whole{fit.secant.value, fit.secant.standard_error};
   if (presses.size() < 2) return whole;
-  const auto people = secantsOf(presses, fit.form);
+  const auto people = fitPersonSecants(presses, fit.form);
   if (people.empty()) return whole;
   std::vector<double> means;
-  for (const auto& person : people) means.push_back(meanOf(person).mean);
-  const MeanAndError over = people.size() > 1 ? meanOf(means) : meanOf(people.front());
+  for (const auto& person : people) means.push_back(meanWithError(person).mean);
+  const MeanAndError over = people.size() > 1 ? meanWithError(means) : meanWithError(people.front());
   return {over.mean, std::isnan(over.error) ? whole.sd : over.error};
 }
 
-std::vector<std::string> warningsOf(const PlaceStiffness& place) {
+std::vector<std::string> collectWarnings(const PlaceStiffness& place) {
   std::vector<std::string> warnings;
   const FormOfPlace& best = place.best();
   if (best.fit.deepest_mm < tissue::kReferenceDepthMm) {
@@ -198,17 +198,17 @@ PlaceStiffness fitPlace(const std::vector<const PlaceCurve*>& presses, const Pla
   }
   place.subjects = subjects.size();
   if (placed > 0.0) place.at_mm = sum / placed;
-  place.refusal = refusalOf(place.rows);
+  place.refusal = refusalReason(place.rows);
   for (const PlaceCurve* press : presses) {  // a slipped press must not hide among good ones
     if (place.refused() || presses.size() < 2 || depthsBelowSkin(press->curve) < tissue::kMinForceDepths) continue;
-    const std::string fault = refusalOf(press->curve);
+    const std::string fault = refusalReason(press->curve);
     if (!fault.empty()) place.refusal = fmt::format("press {}: {}", press->curve.name, fault);
   }
   if (place.refused()) return place;
-  for (const ForceForm form : kPlaceForms) place.forms.push_back(formOf(place.rows, form));
-  place.chosen = chosenOf(place.forms, settings);
-  place.secant_n_per_mm = secantOf(presses, place.best().fit);
-  place.warnings = warningsOf(place);
+  for (const ForceForm form : kPlaceForms) place.forms.push_back(fitPlaceForm(place.rows, form));
+  place.chosen = chooseFormIndex(place.forms, settings);
+  place.secant_n_per_mm = estimateSecant(presses, place.best().fit);
+  place.warnings = collectWarnings(place);
   return place;
 }
 

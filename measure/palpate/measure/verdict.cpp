@@ -117,7 +117,7 @@ void judgeResiduals(const Measurement& m, std::vector<Finding>& findings) {
   }
 }
 
-std::string sharesInWords(const FieldFit& fit) {
+std::string describeFormShares(const FieldFit& fit) {
   std::string words;
   for (const FormShare& form : fit.forms)
     words += fmt::format("{}{} {:.0f} %", words.empty() ? "" : ", ", nameOf(form.form), 100.0 * form.share);
@@ -129,7 +129,7 @@ void judgeForms(const Measurement& m, std::vector<Finding>& findings) {
   if (!fit.forms.empty() && fit.forms.front().share < kSureShare)
     findings.push_back(warning("forms", fmt::format("Several forms of the field explain the dots about equally well "
                                                     "({}); what they differ by is in the sd of axes and peak.",
-                                                    sharesInWords(fit))));
+                                                    describeFormShares(fit))));
   if (!fit.peak_mm)
     findings.push_back(warning("no_peak",
                                "No peak is stated: no dot lies in the core of the field. Mark dots closer "

@@ -274,11 +274,11 @@ TEST(AveragePresses, AMirrorImageLiesOnTheOtherSideAndTurnsTheOtherWay) {
   const auto left_band = confidenceBand(left.mean);
   const auto right_band = confidenceBand(right.mean);
   EXPECT_NEAR(left_band[1][20].norm(), right_band[1][70].norm(), 1e-6) << "40 and 140 degrees";
-  EXPECT_EQ(support::messageOf([&] {
+  EXPECT_EQ(support::thrownMessage([&] {
               averagePresses(presses, {.mirrors = {{"P5", "P7"}}});
             }),
             "unknown point 'P5' in mirror; did you mean 'P4'?");
-  EXPECT_EQ(support::messageOf([&] {
+  EXPECT_EQ(support::thrownMessage([&] {
               averagePresses(presses, {.mirrors = {{"P4", "P4"}}});
             }),
             "the point P4 is measured: it cannot be the mirror image of P4");
@@ -286,9 +286,9 @@ TEST(AveragePresses, AMirrorImageLiesOnTheOtherSideAndTurnsTheOtherWay) {
 
 TEST(DragWords, WordsAndDegreesMeanTheSame) {
   for (const double degrees : {0.0, 45.0, 90.0, 135.0, 180.0, -135.0, -90.0, -45.0}) {
-    EXPECT_EQ(dragNamed(dragWords(degrees)), degrees);
-    EXPECT_EQ(dragWords(degrees + 360.0), dragWords(degrees));
-    EXPECT_EQ(dragWords(degrees + 20.0), dragWords(degrees));
+    EXPECT_EQ(dragNamed(dragDirectionName(degrees)), degrees);
+    EXPECT_EQ(dragDirectionName(degrees + 360.0), dragDirectionName(degrees));
+    EXPECT_EQ(dragDirectionName(degrees + 20.0), dragDirectionName(degrees));
   }
   EXPECT_EQ(dragNamed("270"), -90.0);
   EXPECT_EQ(dragNamed("uphill"), std::nullopt);
@@ -296,7 +296,9 @@ TEST(DragWords, WordsAndDegreesMeanTheSame) {
 
 TEST(PressTable, NamesTheLineOfWhatItCannotRead) {
   const std::string header = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg,drag_deg\n";
-  const auto fault = [&](const std::string& text) { return support::messageOf([&] { parsePresses(text, "p.csv"); }); };
+  const auto fault = [&](const std::string& text) {
+    return support::thrownMessage([&] { parsePresses(text, "p.csv"); });
+  };
   EXPECT_EQ(fault(header), "p.csv: holds no press: a header and a row for each are needed");
   EXPECT_EQ(fault("name,x_mm,y_mm,half_major_mm,direction_deg\n"),
             "p.csv:1: the header has no column major_over_minor");

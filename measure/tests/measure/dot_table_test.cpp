@@ -9,7 +9,7 @@ namespace palpate::measure {
 namespace {
 
 std::string tableRefusal(std::string_view table) {
-  return support::messageOf([&] { parseDotTable(table, "dots.csv"); });
+  return support::thrownMessage([&] { parseDotTable(table, "dots.csv"); });
 }
 
 TEST(DotTable, IsReadWithAndWithoutAreas) {
@@ -52,7 +52,7 @@ TEST(DotTable, HoldsAllMarksOfAMeasurement) {
   measurement.grid.dots = {{{0, 0}, {{10.0, 20.0}, 30.0}}, {{1, 0}, {{50.0, 20.0}, 31.0}}};
   measurement.grid.strays = {{{7.0, 8.0}, 9.0}};
   measurement.after_dots = {{{11.5, 21.25}, 30.0}};
-  const DotPair pair = parseDotTable(dotTableOf(measurement), "dots.csv");
+  const DotPair pair = parseDotTable(formatDotTable(measurement), "dots.csv");
   ASSERT_EQ(pair.before.size(), 3u);
   ASSERT_EQ(pair.after.size(), 1u);
   EXPECT_EQ(pair.before[2].place_px, Vec2(7.0, 8.0));

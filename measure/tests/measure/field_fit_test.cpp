@@ -35,8 +35,8 @@ std::vector<FieldDatum> dataOf(const std::function<Vec2(const Vec2&)>& motion, c
 }
 
 TEST(FieldFit, FindsAHalfGaussianAgain) {
-  const FittedField fitted = fitField(dataOf(drag(15.0, 90.0, 65.0, 30.0, {7.0, -11.0})), driftPriorOf(0.4));
-  const SkinField field = fieldOf(fitted.numbers);
+  const FittedField fitted = fitField(dataOf(drag(15.0, 90.0, 65.0, 30.0, {7.0, -11.0})), makeDriftPrior(0.4));
+  const SkinField field = toSkinField(fitted.numbers);
   EXPECT_LT((field.contact_mm - Vec2(7.0, -11.0)).norm(), 0.3);
   EXPECT_LT((field.peak_mm - Vec2(0.0, 15.0)).norm(), 0.3);
   const LevelEllipse two = levelEllipse(field, 2.0);
@@ -47,25 +47,25 @@ TEST(FieldFit, FindsAHalfGaussianAgain) {
 
 TEST(FieldFit, FindsALongTailAgain) {
   const auto motion = [](const Vec2& p) { return Vec2(12.0 * std::pow(1.0 + p.squaredNorm() / 900.0, -0.7), 0.0); };
-  const FittedField fitted = fitField(dataOf(motion), driftPriorOf(0.4));
+  const FittedField fitted = fitField(dataOf(motion), makeDriftPrior(0.4));
   // 12 (1 + r^2 / 900)^-0.7 = 2 mm
   const double expected = 30.0 * std::sqrt(std::pow(6.0, 1.0 / 0.7) - 1.0);
-  const LevelEllipse two = levelEllipse(fieldOf(fitted.numbers), 2.0);
+  const LevelEllipse two = levelEllipse(toSkinField(fitted.numbers), 2.0);
   EXPECT_NEAR(two.half_major_mm, expected, 0.04 * expected);
   EXPECT_NEAR(two.half_minor_mm, expected, 0.04 * expected);
 }
 
 TEST(FieldFit, TellsTheBodysShiftFromTheSkins) {
   const Vec2 shift(0.4, -0.3);  // right and down in the picture
-  const FittedField fitted = fitField(dataOf(drag(15.0, 80.0, 60.0, 90.0), shift), driftPriorOf(0.4));
+  const FittedField fitted = fitField(dataOf(drag(15.0, 80.0, 60.0, 90.0), shift), makeDriftPrior(0.4));
   EXPECT_LT((fitted.numbers.segment<2>(kFirstDrift) - shift).norm(), 0.03);
-  EXPECT_NEAR(levelEllipse(fieldOf(fitted.numbers), 2.0).half_major_mm, 80.0, 1.0);
+  EXPECT_NEAR(levelEllipse(toSkinField(fitted.numbers), 2.0).half_major_mm, 80.0, 1.0);
 }
 
 TEST(FieldFit, HardlyMindsDotsThatAreWrong) {
   std::vector<FieldDatum> data = dataOf(drag(15.0, 80.0, 60.0, 0.0), Vec2::Zero(), 0.05);
   for (const std::size_t wrong : {43u, 53u, 63u, 73u}) data[wrong].moved_mm += Vec2(7.0, -4.0);  // beside the contact
-  const SkinField field = fieldOf(fitField(data, driftPriorOf(0.4)).numbers);
+  const SkinField field = toSkinField(fitField(data, makeDriftPrior(0.4)).numbers);
   EXPECT_LT(field.contact_mm.norm(), 1.5);
   EXPECT_LT((field.peak_mm - Vec2(0.0, 15.0)).norm(), 1.0);
   EXPECT_NEAR(levelEllipse(field, 2.0).half_major_mm, 80.0, 2.5);
@@ -74,23 +74,24 @@ TEST(FieldFit, HardlyMindsDotsThatAreWrong) {
 TEST(FieldFit, ItsUncertaintyGrowsWithTheNoise) {
   const auto sd = [](double noise_mm) {
     const FittedField fitted =
-        fitField(dataOf(drag(12.0, 80.0, 60.0, 20.0), Vec2::Zero(), noise_mm), driftPriorOf(0.4));
+        fitField(dataOf(drag(12.0, 80.0, 60.0, 20.0), Vec2::Zero(), noise_mm), makeDriftPrior(0.4));
     const WeighedField alone{fitted};
-    return reportField(std::span(&alone, 1), Mat2::Identity(), driftPriorOf(0.4)).at_2_mm.half_major_mm.sd;
+    return reportField(std::span(&alone, 1), Mat2::Identity(), makeDriftPrior(0.4)).at_2_mm.half_major_mm.sd;
   };
   EXPECT_GT(sd(0.8), 2.0 * sd(0.1));
   EXPECT_GT(sd(0.1), 0.1);
 }
 
 TEST(FieldFit, OfNothingThatMovesIsFiniteAndSmall) {
-  const FittedField fitted = fitField(dataOf([](const Vec2&) { return Vec2(0.0, 0.0); }), driftPriorOf(0.4));
+  const FittedField fitted = fitField(dataOf([](const Vec2&) { return Vec2(0.0, 0.0); }), makeDriftPrior(0.4));
   EXPECT_TRUE(fitted.numbers.allFinite());
-  EXPECT_LT(fieldOf(fitted.numbers).peak_mm.norm(), 1.0);
+  EXPECT_LT(toSkinField(fitted.numbers).peak_mm.norm(), 1.0);
 }
 
 TEST(FieldFit, FindsTheDriftAloneWhereNothingIsPressed) {
   const Vec2 shift(0.7, 0.2);
-  const Eigen::Vector4d drift = fitDrift(dataOf([](const Vec2&) { return Vec2(0.0, 0.0); }, shift), driftPriorOf(20.0));
+  const Eigen::Vector4d drift =
+      fitDrift(dataOf([](const Vec2&) { return Vec2(0.0, 0.0); }, shift), makeDriftPrior(20.0));
   EXPECT_LT((drift.head<2>() - shift).norm(), 1e-3);
   EXPECT_LT(drift.tail<2>().norm(), 1e-3);
 }
@@ -134,10 +135,10 @@ const elements::DragField& layeredField() {
 TEST(FieldForms, OfLayersTheSolvedFormIsLikeliestAndItsSdHolds) {
   const Vec2 contact(0.0, 0.0);
   const std::vector<FieldDatum> data = layeredData(layeredField(), contact);
-  const std::vector<WeighedField> forms = fitForms(data, driftPriorOf(0.4));
+  const std::vector<WeighedField> forms = fitForms(data, makeDriftPrior(0.4));
   ASSERT_EQ(forms.front().fitted.form, FieldForm::solved);
   EXPECT_GT(forms.front().share, 0.9);
-  FieldFit fit = reportField(forms, Mat2::Identity(), driftPriorOf(0.4));
+  FieldFit fit = reportField(forms, Mat2::Identity(), makeDriftPrior(0.4));
   const double unseen_sd = fit.at_4_mm.half_minor_mm.sd;
   widenByDots(data, forms.front().fitted.numbers, fit);
   EXPECT_FALSE(fit.peak_mm) << "no dot lies in the core";
@@ -180,9 +181,9 @@ TEST(FieldForms, OfAHalfSpaceTheDeepFormIsLikeliestAndItsSdHolds) {
                            .half_major_mm = 90.0});
     const std::vector<FieldDatum> data =
         dataOf([&](const Vec2& p) { return truth.displacementAt(p); }, Vec2(0.2, -0.2), 0.05);
-    const std::vector<WeighedField> forms = fitForms(data, driftPriorOf(0.4));
+    const std::vector<WeighedField> forms = fitForms(data, makeDriftPrior(0.4));
     EXPECT_EQ(forms.front().fitted.form, FieldForm::deep);
-    FieldFit fit = reportField(forms, Mat2::Identity(), driftPriorOf(0.4));
+    FieldFit fit = reportField(forms, Mat2::Identity(), makeDriftPrior(0.4));
     widenByDots(data, forms.front().fitted.numbers, fit);
     const KeyEllipse known = truth.ellipseAt(2.0);
     EXPECT_LT(std::abs(fit.at_2_mm.half_major_mm.value - known.half_major_mm.value),
@@ -209,22 +210,22 @@ TEST(SkinField, AStickThatPressesMovesTheSkinOutwardsAllAround) {
 
 TEST(FieldForms, AHalfGaussianIsNoneOfTheOthersAndItsPeakIsSeen) {
   const std::vector<FieldDatum> data = dataOf(drag(15.0, 80.0, 60.0, 30.0), Vec2::Zero(), 0.05);
-  const std::vector<WeighedField> forms = fitForms(data, driftPriorOf(0.4));
+  const std::vector<WeighedField> forms = fitForms(data, makeDriftPrior(0.4));
   ASSERT_EQ(forms.front().fitted.form, FieldForm::smooth);
   EXPECT_GT(forms.front().share, 0.99);
-  FieldFit fit = reportField(forms, Mat2::Identity(), driftPriorOf(0.4));
+  FieldFit fit = reportField(forms, Mat2::Identity(), makeDriftPrior(0.4));
   widenByDots(data, forms.front().fitted.numbers, fit);
   ASSERT_TRUE(fit.peak_mm);
   EXPECT_NEAR(fit.peak_mm->value, 15.0, 0.3);
 }
 
 TEST(FieldForms, WhatTheyDifferByIsInTheSd) {
-  const FittedField one = fitField(dataOf(drag(15.0, 80.0, 60.0, 30.0), Vec2::Zero(), 0.05), driftPriorOf(0.4));
+  const FittedField one = fitField(dataOf(drag(15.0, 80.0, 60.0, 30.0), Vec2::Zero(), 0.05), makeDriftPrior(0.4));
   FittedField wider = one;
   wider.numbers[2] -= 0.2;  // mean of ln W: every radius a tenth larger
   const std::vector<WeighedField> forms = {{one, 0.5}, {wider, 0.5}};
-  const FieldFit alone = reportField(std::vector<WeighedField>{{one, 1.0}}, Mat2::Identity(), driftPriorOf(0.4));
-  const FieldFit both = reportField(forms, Mat2::Identity(), driftPriorOf(0.4));
+  const FieldFit alone = reportField(std::vector<WeighedField>{{one, 1.0}}, Mat2::Identity(), makeDriftPrior(0.4));
+  const FieldFit both = reportField(forms, Mat2::Identity(), makeDriftPrior(0.4));
   const double before = alone.at_2_mm.half_major_mm.value;
   EXPECT_NEAR(both.at_2_mm.half_major_mm.value, 1.05 * before, 0.005 * before) << "their mean";
   EXPECT_GT(both.at_2_mm.half_major_mm.sd, 0.04 * before);

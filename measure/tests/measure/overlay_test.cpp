@@ -66,7 +66,7 @@ Measurement drawnMeasurement() {
   return m;
 }
 
-std::vector<Vec2> marksOf(const OverlayPanel& panel, MarkForm form) {
+std::vector<Vec2> markPlaces(const OverlayPanel& panel, MarkForm form) {
   std::vector<Vec2> places;
   for (const OverlayMark& mark : panel.marks) {
     if (mark.form == form) places.push_back(mark.place_px);
@@ -80,7 +80,7 @@ bool explains(const OverlayPanel& panel, const std::string& words) {
 }
 
 TEST(Overlay, JoinsNeighboursOfTheGridAndCrossesStrays) {
-  const OverlayPanel panel = overlayOf(gridOnly()).panels.at(0);
+  const OverlayPanel panel = buildOverlay(gridOnly()).panels.at(0);
   EXPECT_EQ(panel.picture, PanelPicture::before);
   constexpr std::size_t kSide = 2 * kGridReach + 1;
   ASSERT_EQ(panel.lines.size(), 2 * kSide * (kSide - 1));
@@ -88,26 +88,26 @@ TEST(Overlay, JoinsNeighboursOfTheGridAndCrossesStrays) {
     ASSERT_EQ(line.places_px.size(), 2u);
     EXPECT_NEAR((line.places_px[1] - line.places_px[0]).norm(), 40.0, 1e-9);
   }
-  EXPECT_EQ(marksOf(panel, MarkForm::cross), (std::vector<Vec2>{{111.0, 222.0}}));
+  EXPECT_EQ(markPlaces(panel, MarkForm::cross), (std::vector<Vec2>{{111.0, 222.0}}));
   EXPECT_TRUE(explains(panel, "stray mark"));
 }
 
 TEST(Overlay, ShowsWhereAHiddenDotIsExpected) {
   const Measurement m = drawnMeasurement();
-  const OverlayPanel panel = overlayOf(m).panels.at(1);
+  const OverlayPanel panel = buildOverlay(m).panels.at(1);
   EXPECT_EQ(panel.picture, PanelPicture::after);
-  EXPECT_EQ(marksOf(panel, MarkForm::ring).size(), m.matched);
-  const auto hidden = marksOf(panel, MarkForm::square);
+  EXPECT_EQ(markPlaces(panel, MarkForm::ring).size(), m.matched);
+  const auto hidden = markPlaces(panel, MarkForm::square);
   ASSERT_EQ(hidden.size(), 1u);
   const Vec2 skin(60.0, -90.0);
   const double up = 20.0 * std::exp(-skin.squaredNorm() / 2500.0);
   EXPECT_NEAR((hidden[0] - drawnPlaceOf(skin + Vec2(3.0, up))).norm(), 0.0, 0.5);
-  EXPECT_EQ(marksOf(panel, MarkForm::cross), (std::vector<Vec2>{{555.0, 66.0}}));
+  EXPECT_EQ(markPlaces(panel, MarkForm::cross), (std::vector<Vec2>{{555.0, 66.0}}));
 }
 
 TEST(Overlay, ArrowsAreTheMotionWithoutTheBodysOwn) {
   const Measurement m = drawnMeasurement();
-  const OverlayPanel panel = overlayOf(m, 3.0).panels.at(2);
+  const OverlayPanel panel = buildOverlay(m, 3.0).panels.at(2);
   EXPECT_EQ(panel.picture, PanelPicture::before_faded);
   ASSERT_EQ(panel.arrows.size(), m.matched);
   const auto middle = std::find_if(panel.arrows.begin(), panel.arrows.end(), [](const OverlayArrow& arrow) {
@@ -118,7 +118,7 @@ TEST(Overlay, ArrowsAreTheMotionWithoutTheBodysOwn) {
 }
 
 TEST(Overlay, TheEllipseStandsWhereItWasFoundWithItsBand) {
-  const OverlayPanel panel = overlayOf(drawnMeasurement()).panels.at(2);
+  const OverlayPanel panel = buildOverlay(drawnMeasurement()).panels.at(2);
   const auto ellipse = std::find_if(panel.lines.begin(), panel.lines.end(), [](const OverlayLine& line) {
     return line.closed && !line.filled && !line.dashed;
   });
@@ -140,9 +140,9 @@ TEST(Overlay, TheEllipseStandsWhereItWasFoundWithItsBand) {
 
 TEST(Overlay, DrawsTheContourThatWasRead) {
   Measurement m = drawnMeasurement();
-  EXPECT_FALSE(explains(overlayOf(m).panels.at(2), "contour"));
+  EXPECT_FALSE(explains(buildOverlay(m).panels.at(2), "contour"));
   m.contour = ContourReading{.contour_2_mm = {{0.0, 0.0}, {30.0, 0.0}, {30.0, 30.0}}};
-  const OverlayPanel panel = overlayOf(m).panels.at(2);
+  const OverlayPanel panel = buildOverlay(m).panels.at(2);
   EXPECT_TRUE(explains(panel, "2 mm contour"));
   EXPECT_FALSE(explains(panel, "4 mm contour"));
 }
@@ -150,29 +150,29 @@ TEST(Overlay, DrawsTheContourThatWasRead) {
 TEST(Overlay, MarksTheContactThatWasGiven) {
   Measurement m = drawnMeasurement();
   m.settings.contact_px = Vec2(305.0, 310.0);
-  const OverlayPanel panel = overlayOf(m).panels.at(0);
-  EXPECT_EQ(marksOf(panel, MarkForm::ring), (std::vector<Vec2>{{305.0, 310.0}}));
-  ASSERT_EQ(marksOf(panel, MarkForm::star).size(), 1u);
-  EXPECT_NEAR((marksOf(panel, MarkForm::star)[0] - Vec2(300.0, 300.0)).norm(), 0.0, 0.5);
+  const OverlayPanel panel = buildOverlay(m).panels.at(0);
+  EXPECT_EQ(markPlaces(panel, MarkForm::ring), (std::vector<Vec2>{{305.0, 310.0}}));
+  ASSERT_EQ(markPlaces(panel, MarkForm::star).size(), 1u);
+  EXPECT_NEAR((markPlaces(panel, MarkForm::star)[0] - Vec2(300.0, 300.0)).norm(), 0.0, 0.5);
 }
 
 TEST(Overlay, SaysWhetherItIsAcceptedAndWhyNot) {
   Measurement m = drawnMeasurement();
-  Overlay overlay = overlayOf(m);
+  Overlay overlay = buildOverlay(m);
   EXPECT_TRUE(overlay.accepted);
   EXPECT_EQ(
       overlay.verdict,
       "accepted: half axes at 2 mm 80.0 ± 2.0 and 60.0 ± 1.0 mm, ratio 1.33 ± 0.02, direction 90.0 ± 1.5 degrees; "
       "peak 20.0 ± 0.5 mm");
   m.findings = {{Severity::warning, "form", "Not quite."}, {Severity::refusal, "moved", "The body moved."}};
-  overlay = overlayOf(m);
+  overlay = buildOverlay(m);
   EXPECT_FALSE(overlay.accepted);
   EXPECT_EQ(overlay.verdict, "refused: The body moved.");
   EXPECT_EQ(overlay.findings, (std::vector<std::string>{"warning: Not quite.", "refused: The body moved."}));
 }
 
 TEST(Overlay, OfNothingIsThreeEmptyPanels) {
-  const Overlay overlay = overlayOf(Measurement());
+  const Overlay overlay = buildOverlay(Measurement());
   ASSERT_EQ(overlay.panels.size(), 3u);
   for (const OverlayPanel& panel : overlay.panels) EXPECT_TRUE(panel.marks.empty() && panel.lines.empty());
   EXPECT_FALSE(overlay.accepted);

@@ -27,7 +27,7 @@ Protocol twoPoints() {
 }
 
 /// The row of an ellipse, as keyRow writes it.
-std::string rowOf(const PlannedPress& planned, double half_major_mm) {
+std::string makeKeyRow(const PlannedPress& planned, double half_major_mm) {
   return fmt::format("{},{},{},{},1.2,{},,,,,,,{},1,0.02,2,,", planned.point, planned.place_mm.x(),
                      planned.place_mm.y(), half_major_mm, planned.drag_deg, planned.drag_deg);
 }
@@ -49,7 +49,7 @@ class PersonFolder : public ::testing::Test {
       measured_.push_back(planned.name);
       const std::string before = readFile(pictures.before, 1000);
       if (before.find("blind") != std::string::npos) return PressOutcome{.refusals = {"no dots"}};
-      PressOutcome outcome{.accepted = before.find("refuse") == std::string::npos, .row = rowOf(planned, 80)};
+      PressOutcome outcome{.accepted = before.find("refuse") == std::string::npos, .row = makeKeyRow(planned, 80)};
       if (!outcome.accepted) outcome.refusals = {"the body \"moved\", by 2 mm"};
       if (!pictures.before2.empty()) outcome.null_drift_mm = 0.125;
       return outcome;
@@ -82,7 +82,8 @@ TEST_F(PersonFolder, ANewFolderHasAProtocolAStencilAndAList) {
   EXPECT_EQ(read.presses, 2);
   EXPECT_NE(readFile(fresh / "checklist.md", 1 << 20).find("P4_right_2_released"), std::string::npos);
   EXPECT_NE(readFile(fresh / "stencil.svg", 1 << 20).find("<svg"), std::string::npos);
-  EXPECT_NE(support::messageOf([&] { beginPerson(fresh, twoPoints()); }).find("is not replaced"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { beginPerson(fresh, twoPoints()); }).find("is not replaced"),
+            std::string::npos);
 }
 
 TEST_F(PersonFolder, TellsWhichPicturesAreMissingAndWhichAreStrangers) {
@@ -145,7 +146,7 @@ TEST_F(PersonFolder, KeepsWhatWasSeenToTheLetter) {
   EXPECT_FALSE(outcome.accepted);
   EXPECT_EQ(outcome.refusals, std::vector<std::string>{"the body \"moved\", by 2 mm"});
   EXPECT_EQ(outcome.null_drift_mm, 0.125);
-  EXPECT_EQ(outcome.row, rowOf(pressOf(again, "P1_up_1").planned, 80));
+  EXPECT_EQ(outcome.row, makeKeyRow(pressOf(again, "P1_up_1").planned, 80));
 }
 
 TEST_F(PersonFolder, ADecisionHoldsUntilThePicturesChange) {
@@ -164,11 +165,11 @@ TEST_F(PersonFolder, ADecisionHoldsUntilThePicturesChange) {
 TEST_F(PersonFolder, WhatCannotBeDecidedIsSaid) {
   begin();
   putPress("P1_up_1", "blind");
-  EXPECT_EQ(support::messageOf([&] { walk({.accept = {"P1_up_1"}}); }),
+  EXPECT_EQ(support::thrownMessage([&] { walk({.accept = {"P1_up_1"}}); }),
             "P1_up_1 gave no ellipse that could be accepted: repeat it");
-  EXPECT_EQ(support::messageOf([&] { walk({.accept = {"P4_up_1"}}); }),
+  EXPECT_EQ(support::thrownMessage([&] { walk({.accept = {"P4_up_1"}}); }),
             "P4_up_1 was not measured: pictures are missing");
-  EXPECT_EQ(support::messageOf([&] { walk({.repeat = {"P1_up_7"}}); }),
+  EXPECT_EQ(support::thrownMessage([&] { walk({.repeat = {"P1_up_7"}}); }),
             "unknown press 'P1_up_7'; did you mean 'P1_up_1'?");
 }
 
@@ -219,7 +220,7 @@ TEST_F(PersonFolder, AnIncompleteWalkWritesNothing) {
   begin();
   putPress("P1_up_1");
   const PersonWalk walked = walk();
-  EXPECT_NE(support::messageOf([&] { writePerson(walked); }).find("is not complete"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { writePerson(walked); }).find("is not complete"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "person.csv"));
 }
 
@@ -231,7 +232,9 @@ TEST(PersonProtocol, APersonIsACodeAndNoName) {
 }
 
 TEST(PersonProtocol, NamesTheLineOfWhatItCannotRead) {
-  const auto fault = [](const std::string& text) { return support::messageOf([&] { parseProtocol(text, "p.toml"); }); };
+  const auto fault = [](const std::string& text) {
+    return support::thrownMessage([&] { parseProtocol(text, "p.toml"); });
+  };
   const std::string good = "person = \"P7\"\ndrags = [\"up\"]\n";
   const std::string point = "[[point]]\nname = \"P1\"\nx_mm = 0\ny_mm = 1\n";
   EXPECT_EQ(fault(good + point), "no error");
@@ -260,11 +263,11 @@ TEST(PersonPress, ADragThatIsNotTheOneAskedForIsRefused) {
   measurement.fit = fit;
   const PlannedPress up{"P1_up_1", "P1", {0, 73}, 90.0};
   const PlannedPress down{"P1_down_1", "P1", {0, 73}, -90.0};
-  EXPECT_TRUE(outcomeOf(measurement, down, 0.1).accepted);
-  const PressOutcome swapped = outcomeOf(measurement, up, 0.1);
+  EXPECT_TRUE(assessPress(measurement, down, 0.1).accepted);
+  const PressOutcome swapped = assessPress(measurement, up, 0.1);
   EXPECT_FALSE(swapped.accepted);
   EXPECT_NE(swapped.refusals.front().find("pulled down, and up was asked for"), std::string::npos);
-  const PressOutcome moved = outcomeOf(measurement, down, 0.8);
+  const PressOutcome moved = assessPress(measurement, down, 0.8);
   EXPECT_FALSE(moved.accepted);
   EXPECT_NE(moved.refusals.front().find("moved 0.80 mm"), std::string::npos);
   EXPECT_EQ(moved.row.substr(0, 11), "P1,0,73,80,") << "kept, for who accepts it all the same";

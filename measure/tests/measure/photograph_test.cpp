@@ -26,7 +26,7 @@ constexpr PixelColour kWhite = {255, 255, 255};
 
 Photograph decodedPicture(const std::string& bytes) { return decodePhotograph(bytesOf(bytes), "it.jpg"); }
 std::string pictureRefusal(const std::string& bytes) {
-  return support::messageOf([&] { decodedPicture(bytes); });
+  return support::thrownMessage([&] { decodedPicture(bytes); });
 }
 
 PixelColour pixelAt(const Photograph& picture, int x, int y) {
@@ -85,17 +85,17 @@ constexpr std::array kHeld = {Held{1, 't', 'l'}, Held{2, 't', 'r'}, Held{3, 'b',
                               Held{5, 'l', 't'}, Held{6, 'r', 't'}, Held{7, 'r', 'b'}, Held{8, 'l', 'b'}};
 
 char opposite(char side) { return side == 't' ? 'b' : side == 'b' ? 't' : side == 'l' ? 'r' : 'l'; }
-std::size_t cornerOf(char one, char other) {
+std::size_t cornerIndex(char one, char other) {
   const bool bottom = one == 'b' || other == 'b';
   const bool right = one == 'r' || other == 'r';
   return (bottom ? 2U : 0U) + (right ? 1U : 0U);
 }
 std::array<PixelColour, 4> cardHeld(const Held& held) {
   std::array<PixelColour, 4> upright;
-  upright[cornerOf(held.row, held.column)] = kRed;
-  upright[cornerOf(held.row, opposite(held.column))] = kGreen;
-  upright[cornerOf(opposite(held.row), held.column)] = kBlue;
-  upright[cornerOf(opposite(held.row), opposite(held.column))] = kWhite;
+  upright[cornerIndex(held.row, held.column)] = kRed;
+  upright[cornerIndex(held.row, opposite(held.column))] = kGreen;
+  upright[cornerIndex(opposite(held.row), held.column)] = kBlue;
+  upright[cornerIndex(opposite(held.row), opposite(held.column))] = kWhite;
   return upright;
 }
 
@@ -352,12 +352,12 @@ TEST(Photograph, IsWrittenAndReadBack) {
 TEST(Photograph, FilesThatCannotBeReadOrWrittenAreNamed) {
   const support::TemporaryFolder folder;
   const Photograph picture = decodedPicture(coded(testCard(), ".png"));
-  EXPECT_EQ(support::messageOf([&] { readPhotograph(folder / "none.jpg"); }),
+  EXPECT_EQ(support::thrownMessage([&] { readPhotograph(folder / "none.jpg"); }),
             (folder / "none.jpg").string() + ": no such file");
-  EXPECT_EQ(support::messageOf([&] { writePhotograph(folder / "it.webp", picture); }),
+  EXPECT_EQ(support::thrownMessage([&] { writePhotograph(folder / "it.webp", picture); }),
             (folder / "it.webp").string() + ": a photograph is written as .png, .jpg");
   writeFile(folder / "text.jpg", "no picture\n");
-  EXPECT_EQ(support::messageOf([&] { readPhotograph(folder / "text.jpg"); }),
+  EXPECT_EQ(support::thrownMessage([&] { readPhotograph(folder / "text.jpg"); }),
             (folder / "text.jpg").string() +
                 ": is text and no picture, whatever its name says: a JPEG, PNG or TIFF is needed");
 }

@@ -143,13 +143,13 @@ TEST(PlaceStiffness, KeyPointsGetTheStiffnessOfTheirName) {
   EXPECT_NEAR(read[0].ellipse.direction_rad, 1.0, 1e-9);
   EXPECT_NEAR(*read[1].stiffness_n_per_mm, 0.5, 1e-6);
   EXPECT_EQ(read[1].ellipse.half_major_mm, 0.0);
-  EXPECT_EQ(support::messageOf([&] { withStiffness(fits); }),
+  EXPECT_EQ(support::thrownMessage([&] { withStiffness(fits); }),
             "where P1 lies is not said: give x_mm and y_mm in its rows");
 }
 
 TEST(PlaceCurves, NamesTheLineOfWhatItCannotRead) {
   const auto fault = [](const std::string& text) {
-    return support::messageOf([&] { parsePlaceCurves(text, "f.csv"); });
+    return support::thrownMessage([&] { parsePlaceCurves(text, "f.csv"); });
   };
   EXPECT_EQ(fault("place,depth_mm\n"), "f.csv:1: the header has no column force_n");
   EXPECT_EQ(fault("depth_mm,force_n\n"), "f.csv:1: the header has no column name");

@@ -109,7 +109,7 @@ TEST(Stencil, TilesShowEveryHoleOnce) {
 
 TEST(Stencil, SaysWhatDoesNotFit) {
   const auto fault = [](const StencilSettings& settings) {
-    return support::messageOf([&] { stencilSheets(settings); });
+    return support::thrownMessage([&] { stencilSheets(settings); });
   };
   EXPECT_EQ(fault({.page = StencilPage::a3}),
             "stencil: 11 x 13 holes need 320 x 426 mm, a3 has 297 x 420: take a2, tiled-a4 or fewer holes");

@@ -111,7 +111,7 @@ TEST(SyntheticBody, TheChartIsArcLengthAlongTheMidlineAndAlongRows) {
 TEST(SyntheticCamera, SeesAFlatBackAsAPlaneIsSeen) {
   SyntheticCase made = flatCase();
   made.camera = {.distance_mm = 1200.0, .tilt_rad = 0.3};
-  const SyntheticTruth truth = truthOf(made);
+  const SyntheticTruth truth = computeTruth(made);
   // Tilted to the right by 0.3 and looking at the middle of the back: rotated by hand, divided by the depth.
   const double focal = truth.px_per_mm * 1200.0;
   for (const TrueDot& dot : truth.dots) {
@@ -126,14 +126,14 @@ TEST(SyntheticCamera, RollTurnsThePictureAndDistortionMovesItsCorner) {
   SyntheticCase made = flatCase();
   made.camera = {.distance_mm = 1200.0, .tilt_rad = 0.0, .roll_rad = 10.0 * kRadPerDeg};
   const Vec2 middle = 0.5 * Vec2(made.width_px - 1, made.height_px - 1);
-  const SyntheticTruth rolled = truthOf(made);
+  const SyntheticTruth rolled = computeTruth(made);
   const TrueDot& dot = rolled.dots.front();
   const Vec2 seen = (dot.before_px - middle) / rolled.px_per_mm;
   EXPECT_NEAR(std::abs(std::remainder(std::atan2(-seen.y(), seen.x()) - std::atan2(dot.skin_mm.y(), dot.skin_mm.x()),
                                       2.0 * std::numbers::pi)),
               10.0 * kRadPerDeg, 1e-9);
   made.camera.distortion = 0.02;
-  const SyntheticTruth bent = truthOf(made);
+  const SyntheticTruth bent = computeTruth(made);
   const double out = (dot.before_px - middle).norm() / middle.norm();
   EXPECT_NEAR((bent.dots.front().before_px - middle).norm() / (dot.before_px - middle).norm(), 1.0 + 0.02 * out * out,
               1e-9);
@@ -142,7 +142,7 @@ TEST(SyntheticCamera, RollTurnsThePictureAndDistortionMovesItsCorner) {
 TEST(SyntheticCamera, HasTheWholeBackInItsFrame) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const SyntheticCase made = drawCase(seed);
-    const SyntheticTruth truth = truthOf(made);
+    const SyntheticTruth truth = computeTruth(made);
     EXPECT_GT(truth.px_per_mm, 2.3) << seed;
     EXPECT_LT(truth.px_per_mm, 3.21) << seed;
     for (const TrueDot& dot : truth.dots) {
@@ -206,7 +206,7 @@ TEST(SyntheticPair, WithoutPressAndMotionDiffersByNoiseAlone) {
   made.press.peak_mm = 0.0;
   made.press.dent_mm = 0.0;
   made.press.stick = false;
-  for (const TrueDot& dot : truthOf(made).dots) EXPECT_EQ(dot.before_px, dot.after_px);
+  for (const TrueDot& dot : computeTruth(made).dots) EXPECT_EQ(dot.before_px, dot.after_px);
   const Photograph before = renderPicture(made, Moment::before);
   const Photograph after = renderPicture(made, Moment::after);
   double squares = 0.0;

@@ -28,12 +28,12 @@ class MeasureTables : public ::testing::Test {
   CommandResult measure(const std::string& arguments) const {
     return support::runPalpate("measure " + arguments, folder_.path());
   }
-  json jsonOf(const std::string& arguments, int exit_code = 0) const {
+  json runForJson(const std::string& arguments, int exit_code = 0) const {
     const CommandResult result = measure(arguments + " --json");
     EXPECT_EQ(result.exit_code, exit_code) << result.err;
     return json::parse(result.out);
   }
-  std::string errorOf(const std::string& arguments) const {
+  std::string runForError(const std::string& arguments) const {
     const CommandResult result = measure(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments << result.out;
     EXPECT_EQ(result.out, "");
@@ -56,7 +56,7 @@ using MeasureAverage = MeasureTables;
 TEST_F(MeasureAverage, SeveralFilesAreSeveralPeople) {
   put("a.csv", header_ + "P1,0,73,100,1.2,90,90\nP1,0,73,100,1.2,90,88\n");
   put("b.csv", header_ + "P1,0,73,81,1.2,90,91\n");
-  const json found = jsonOf("average a.csv b.csv -o keys.csv --plot keys.svg");
+  const json found = runForJson("average a.csv b.csv -o keys.csv --plot keys.svg");
   const json& point = found["points"].at(0);
   EXPECT_NEAR(point["half_major_mm"]["value"].get<double>(), 90.0, 1e-9) << "each counts the same";
   EXPECT_EQ(point["subjects"], 2);
@@ -72,26 +72,26 @@ TEST_F(MeasureAverage, TellsTheTissueFromTheDragAndSaysSo) {
   const CommandResult result = measure("average a.csv");
   EXPECT_NE(result.out.find("the tissue's"), std::string::npos) << result.out;
   EXPECT_NE(result.out.find("stretches the ellipse along itself by 1.44"), std::string::npos) << result.out;
-  EXPECT_EQ(jsonOf("average a.csv --by point,drag -o keys.csv")["points"].at(0)["drags"].size(), 2u);
+  EXPECT_EQ(runForJson("average a.csv --by point,drag -o keys.csv")["points"].at(0)["drags"].size(), 2u);
   EXPECT_EQ(maps::readKeyPoints(folder_ / "keys.csv").size(), 2u);
 }
 
 TEST_F(MeasureAverage, SaysWhatItCannotUse) {
   put("a.csv", header_ + "P1,0,73,100,1.2,90,90\n");
-  EXPECT_EQ(errorOf("average a.csv --drag left"), "palpate: no press was dragged left\n");
-  EXPECT_NE(errorOf("average a.csv --drag uphill").find("neither up, down, left, right nor degrees"),
+  EXPECT_EQ(runForError("average a.csv --drag left"), "palpate: no press was dragged left\n");
+  EXPECT_NE(runForError("average a.csv --drag uphill").find("neither up, down, left, right nor degrees"),
             std::string::npos);
-  EXPECT_NE(errorOf("average a.csv --mirror P4").find("is not FROM:TO"), std::string::npos);
-  EXPECT_NE(errorOf("average a.csv --mirror P4:P6").find("unknown point 'P4'"), std::string::npos);
-  EXPECT_EQ(errorOf("average a.csv --plot a.jpg"), "palpate: a.jpg: a plot is written as .png, .svg\n");
-  EXPECT_NE(errorOf("average none.csv").find("none.csv"), std::string::npos);
+  EXPECT_NE(runForError("average a.csv --mirror P4").find("is not FROM:TO"), std::string::npos);
+  EXPECT_NE(runForError("average a.csv --mirror P4:P6").find("unknown point 'P4'"), std::string::npos);
+  EXPECT_EQ(runForError("average a.csv --plot a.jpg"), "palpate: a.jpg: a plot is written as .png, .svg\n");
+  EXPECT_NE(runForError("average none.csv").find("none.csv"), std::string::npos);
 }
 
 using MeasureStiffness = MeasureTables;
 
 TEST_F(MeasureStiffness, WritesKeyPointsAndTheKeysOfAScene) {
   put("f.csv", "place,x_mm,y_mm,depth_mm,force_n\n" + forceRows("T5,0,73", 0.4) + forceRows("L2,0,-173", 0.7));
-  const json found = jsonOf("stiffness f.csv -o keys.csv --plot f.svg");
+  const json found = runForJson("stiffness f.csv -o keys.csv --plot f.svg");
   EXPECT_NEAR(found["places"].at(1)["stiffness_n_per_mm"].get<double>(), 0.7, 0.005);
   EXPECT_EQ(found["places"].at(0)["best"], "power");
   EXPECT_NE(contentOf(folder_ / "f.svg").find("N/mm at 8 mm"), std::string::npos);
@@ -104,7 +104,7 @@ TEST_F(MeasureStiffness, WritesKeyPointsAndTheKeysOfAScene) {
 
 TEST_F(MeasureStiffness, ARefusedPlaceEndsWithOneAndIsNotWritten) {
   put("f.csv", "place,x_mm,y_mm,depth_mm,force_n\n" + forceRows("good,0,73", 0.4) + forceRows("bad,0,-173", -0.7));
-  const json found = jsonOf("stiffness f.csv -o keys.csv", 1);
+  const json found = runForJson("stiffness f.csv -o keys.csv", 1);
   EXPECT_EQ(found["places"].at(1)["refused"], true);
   EXPECT_NE(found["places"].at(1)["reason"].get<std::string>().find("pulls"), std::string::npos);
   EXPECT_EQ(maps::readKeyPoints(folder_ / "keys.csv").size(), 1u);
@@ -117,28 +117,28 @@ TEST_F(MeasureStencil, WritesASheetOrItsTiles) {
   EXPECT_NE(contentOf(folder_ / "s.svg").find("width=\"420mm\""), std::string::npos);
   EXPECT_EQ(measure("stencil -o s.svg --page tiled-a4").out,
             "-> s-r1c1.svg\n-> s-r1c2.svg\n-> s-r2c1.svg\n-> s-r2c2.svg\n");
-  EXPECT_EQ(errorOf("stencil -o s.pdf"), "palpate: s.pdf: a stencil is written as .svg\n");
-  EXPECT_NE(errorOf("stencil -o s.svg --page a4").find("a4 has 210 x 297: take a2, tiled-a4"), std::string::npos);
+  EXPECT_EQ(runForError("stencil -o s.pdf"), "palpate: s.pdf: a stencil is written as .svg\n");
+  EXPECT_NE(runForError("stencil -o s.svg --page a4").find("a4 has 210 x 297: take a2, tiled-a4"), std::string::npos);
 }
 
 using MeasureSession = MeasureTables;
 
 TEST_F(MeasureSession, ANewFolderTakesPlacesInWordsAndNoNames) {
-  const json begun = jsonOf("session P07 --init --person P07 --points P1=T5,P2=-40:12.5 --presses 2");
+  const json begun = runForJson("session P07 --init --person P07 --points P1=T5,P2=-40:12.5 --presses 2");
   EXPECT_EQ(begun["written"].size(), 3u);
   const std::string protocol = contentOf(folder_ / "P07/protocol.toml");
   EXPECT_NE(protocol.find("at = \"T5\""), std::string::npos);
   EXPECT_NE(protocol.find("x_mm = -40\ny_mm = 12.5"), std::string::npos);
-  EXPECT_NE(errorOf("session P07 --init --person P07 --points P1=0:0").find("is not replaced"), std::string::npos);
-  EXPECT_NE(errorOf("session Q --init --person Anna").find("and no name"), std::string::npos);
+  EXPECT_NE(runForError("session P07 --init --person P07 --points P1=0:0").find("is not replaced"), std::string::npos);
+  EXPECT_NE(runForError("session Q --init --person Anna").find("and no name"), std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "Q"));
-  EXPECT_NE(errorOf("session Q").find("begin with --init"), std::string::npos);
-  EXPECT_NE(errorOf("session Q --init --person P1 --points T5").find("NAME=PLACE"), std::string::npos);
+  EXPECT_NE(runForError("session Q").find("begin with --init"), std::string::npos);
+  EXPECT_NE(runForError("session Q --init --person P1 --points T5").find("NAME=PLACE"), std::string::npos);
 }
 
 TEST_F(MeasureSession, AnEmptyFolderIsIncompleteAndSaysWhatIsMissing) {
-  jsonOf("session P07 --init --person P07 --points P1=0:73 --presses 1 --enough 1");
-  const json walked = jsonOf("session P07", 1);
+  runForJson("session P07 --init --person P07 --points P1=0:73 --presses 1 --enough 1");
+  const json walked = runForJson("session P07", 1);
   EXPECT_EQ(walked["complete"], false);
   ASSERT_EQ(walked["presses"].size(), 2u);
   EXPECT_EQ(walked["presses"].at(0)["state"], "missing");
@@ -147,14 +147,14 @@ TEST_F(MeasureSession, AnEmptyFolderIsIncompleteAndSaysWhatIsMissing) {
   const CommandResult text = measure("session P07");
   EXPECT_EQ(text.exit_code, 1);
   EXPECT_NE(text.out.find("more are needed"), std::string::npos);
-  EXPECT_NE(errorOf("session P07 --accept P1_up_1").find("was not measured"), std::string::npos);
+  EXPECT_NE(runForError("session P07 --accept P1_up_1").find("was not measured"), std::string::npos);
 }
 
 TEST_F(MeasureSession, APictureThatIsNoneIsWrongInputByName) {
-  jsonOf("session P07 --init --person P07 --points P1=0:73 --presses 1 --enough 1");
+  runForJson("session P07 --init --person P07 --points P1=0:73 --presses 1 --enough 1");
   put("P07/P1_up_1_before.jpg", "not a picture");
   put("P07/P1_up_1_after.jpg", "not a picture");
-  EXPECT_NE(errorOf("session P07").find("P1_up_1_before.jpg"), std::string::npos);
+  EXPECT_NE(runForError("session P07").find("P1_up_1_before.jpg"), std::string::npos);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ measure::Photograph plain(int width, int height, std::uint8_t red, std::uint8_t 
   return picture;
 }
 
-measure::OverlayPanel panelOf(const char* title, measure::PanelPicture picture) {
+measure::OverlayPanel makePanel(const char* title, measure::PanelPicture picture) {
   measure::OverlayPanel panel;
   panel.title = title;
   panel.picture = picture;
@@ -35,15 +35,15 @@ struct Case {
   OverlayPage page;
 
   Case() {
-    measure::OverlayPanel first = panelOf("before: dots", measure::PanelPicture::before);
+    measure::OverlayPanel first = makePanel("before: dots", measure::PanelPicture::before);
     first.legend = {{.words = "grid of 99 dots", .colour = kPureGreen, .is_line = true}};
-    measure::OverlayPanel second = panelOf("after: dots", measure::PanelPicture::after);
+    measure::OverlayPanel second = makePanel("after: dots", measure::PanelPicture::after);
     second.lines = {{.places_px = {{190, 290}, {210, 290}, {210, 310}, {190, 310}},
                      .colour = kPureGreen,
                      .width = 12.0f,
                      .closed = true}};
     second.scale_bar_px = 100.0;
-    measure::OverlayPanel third = panelOf("result", measure::PanelPicture::before_faded);
+    measure::OverlayPanel third = makePanel("result", measure::PanelPicture::before_faded);
     page.overlay.panels = {first, second, third};
     page.overlay.verdict = "refused: The body moved.";
     page.overlay.findings = {"refused: The body moved.", "warning: The field is not quite of the fitted form."};
@@ -53,18 +53,18 @@ struct Case {
 };
 
 /// The middle of a panel on a page of 1240, a pixel a unit.
-Vec2 middleOf(int panel) {
+Vec2 panelCentre(int panel) {
   const double width = (1240.0 - 24.0 - 20.0) / 3.0;
   return {12.0 + panel * (width + 10.0) + 0.5 * width, 12.0 + 13.0 + 6.0 + 0.75 * width};
 }
 
 TEST(PhotographOverlay, PutsThePicturesAndTheirMarksIntoTheirPanels) {
   const Case made;
-  const Pixels pixels = pixelsOf(overlayPng(made.page));
+  const Pixels pixels = decodePng(overlayPng(made.page));
   EXPECT_EQ(pixels.width, 1240);
-  const Vec2 first = middleOf(0);
-  const Vec2 second = middleOf(1);
-  const Vec2 third = middleOf(2);
+  const Vec2 first = panelCentre(0);
+  const Vec2 second = panelCentre(1);
+  const Vec2 third = panelCentre(2);
   EXPECT_EQ(pixels.at(first.x(), first.y()), 0xc80000u);
   EXPECT_EQ(pixels.at(second.x() + 60.0, second.y()), 0x0000c8u);
   EXPECT_EQ(pixels.at(second.x() + 10.0, second.y()), 0x00ff00u);  // on the square's line
@@ -73,15 +73,15 @@ TEST(PhotographOverlay, PutsThePicturesAndTheirMarksIntoTheirPanels) {
 
 TEST(PhotographOverlay, IsAsSharpAsItIsAskedFor) {
   const Case made;
-  const Pixels small = pixelsOf(overlayPng(made.page));
-  const Pixels large = pixelsOf(overlayPng(made.page, 2.0));
+  const Pixels small = decodePng(overlayPng(made.page));
+  const Pixels large = decodePng(overlayPng(made.page, 2.0));
   EXPECT_EQ(large.width, 2480);
   EXPECT_NEAR(large.height, 2 * small.height, 2);
 }
 
 TEST(PhotographOverlay, SaysEverythingAndNoTextHidesAnother) {
   const Case made;
-  const auto texts = textsOf(made.page);
+  const auto texts = collectDrawnTexts(made.page);
   for (const char* wanted : {"before: dots", "grid of 99 dots", "50 mm", "refused: The body moved.",
                              "warning: The field is not quite of the fitted form."}) {
     EXPECT_TRUE(std::any_of(texts.begin(), texts.end(), [&](const DrawnText& text) { return text.text == wanted; }))
@@ -107,13 +107,13 @@ TEST(PhotographOverlay, LongFindingsAreWrapped) {
   for (int i = 0; i < 80; ++i) longest += "breath ";
   made.page.overlay.verdict = "refused: " + longest;
   made.page.overlay.findings = {longest};
-  for (const DrawnText& text : textsOf(made.page)) EXPECT_LE(text.right, 1240.0) << text.text;
+  for (const DrawnText& text : collectDrawnTexts(made.page)) EXPECT_LE(text.right, 1240.0) << text.text;
 }
 
 TEST(PhotographOverlay, WithoutPhotographsShowsTheMarksAlone) {
   Case made;
   made.page.before = made.page.after = nullptr;
-  const Pixels pixels = pixelsOf(overlayPng(made.page));
+  const Pixels pixels = decodePng(overlayPng(made.page));
   const std::size_t green = static_cast<std::size_t>(std::count(pixels.values.begin(), pixels.values.end(), 0x00ff00u));
   EXPECT_GT(green, 1000u);  // now it fills its panel
 }
@@ -125,7 +125,7 @@ TEST(PhotographOverlay, IsWrittenAsPngAndSvg) {
   writeOverlay(made.page, folder / "it.svg");
   EXPECT_EQ(readFile(folder / "it.png", 1 << 24), overlayPng(made.page));
   EXPECT_NE(readFile(folder / "it.svg", 1 << 24).find("refused: The body moved."), std::string::npos);
-  EXPECT_EQ(support::messageOf([&] { writeOverlay(made.page, folder / "it.jpg"); }),
+  EXPECT_EQ(support::thrownMessage([&] { writeOverlay(made.page, folder / "it.jpg"); }),
             (folder / "it.jpg").string() + ": an overlay is written as .png, .svg");
 }
 

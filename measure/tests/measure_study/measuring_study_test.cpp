@@ -167,7 +167,7 @@ TEST(CorruptedPairs, AreCorruptedAsTheirNamesSay) {
 
 TEST(ExactDots, LieAtTheTruthWithTheirNoise) {
   const measure::SyntheticCase made = measure::drawCase(9);
-  const measure::SyntheticTruth truth = truthOf(made);
+  const measure::SyntheticTruth truth = computeTruth(made);
   const measure::DotPair pair = exactDots(made, truth, 0.1);
   ASSERT_EQ(pair.before.size(), truth.dots.size());
   EXPECT_LT(pair.after.size(), pair.before.size()) << "the hand hides some";
@@ -184,7 +184,7 @@ TEST(JudgedPairs, OfATruthThatIsMeasuredExactlyAreRight) {
   made.marks.jitter_mm = 0.0;
   made.camera.tilt_rad = 0.0;
   made.press.dent_mm = 0.0;
-  const measure::SyntheticTruth truth = truthOf(made);
+  const measure::SyntheticTruth truth = computeTruth(made);
   const JudgedPair judged = judgePair(made, truth, measure::measureDots(exactDots(made, truth, 0.0)));
   EXPECT_TRUE(judged.accepted) << judged.reason;
   EXPECT_LT(judged.at_2_mm.worsePercent(), 1.5);
@@ -247,15 +247,15 @@ TEST(OutsideFields, SharesCountWhatIsStatedAndWhatHolds) {
 TEST(OutsideFields, EveryFamilyHasItsPeakAtTheContactAndAContour) {
   for (const OutsideFamily family : {OutsideFamily::boussinesq, OutsideFamily::exponential, OutsideFamily::irregular}) {
     SCOPED_TRACE(nameOf(family));
-    EXPECT_EQ(outsideFamilyOf(nameOf(family)), family);
+    EXPECT_EQ(parseOutsideFamily(nameOf(family)), family);
     const OutsideFields fields(family, 3, {});
-    const measure::SyntheticCase made = fields.caseOf(11, 0);
+    const measure::SyntheticCase made = fields.makeCase(11, 0);
     EXPECT_NEAR(made.press.given(Vec2::Zero()).norm(), made.press.peak_mm, 1e-9);
-    const measure::SyntheticTruth truth = measure::truthOf(made);
+    const measure::SyntheticTruth truth = measure::computeTruth(made);
     EXPECT_GT(truth.at_2_mm.half_minor_mm.value, truth.at_4_mm.half_minor_mm.value);
     EXPECT_GT(truth.at_4_mm.half_minor_mm.value, 5.0);
   }
-  EXPECT_THROW(outsideFamilyOf("rubber"), Error);
+  EXPECT_THROW(parseOutsideFamily("rubber"), Error);
 }
 
 TEST(OutsideFields, TheSdOfAnExponentialHolds) {

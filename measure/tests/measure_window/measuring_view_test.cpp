@@ -181,7 +181,7 @@ TEST(MeasuringView, APairIsKnownByTheWordsBeforeAndAfterInOneName) {
 
 /// The true places of dots of a pair that nobody has to paint.
 measure::DotPair trueMarks(std::uint64_t seed = 7) {
-  const measure::SyntheticTruth truth = measure::truthOf(measure::drawCase(seed));
+  const measure::SyntheticTruth truth = measure::computeTruth(measure::drawCase(seed));
   measure::DotPair marks;
   for (const measure::TrueDot& dot : truth.dots) {
     marks.before.push_back({dot.before_px, 0.0});
@@ -211,7 +211,7 @@ TEST(MeasuringWork, MeasuresCorrectedMarksAndKeepsWhatOnlyPhotographsTell) {
   EXPECT_EQ(whole->measured->findings.back().code, "time");
   EXPECT_EQ(whole->measured->width_px, 1224);
   EXPECT_EQ(whole->overlay.panels.size(), 3u);
-  EXPECT_EQ(marksOf(*whole->measured).before.size(), dots) << "every mark is in the grid or a stray";
+  EXPECT_EQ(photoMarks(*whole->measured).before.size(), dots) << "every mark is in the grid or a stray";
   job.marks.after[40].place_px += Vec2(400.0, 0.0);
   work.request(job);
   const auto wrong = waitFor(work);

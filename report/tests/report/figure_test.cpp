@@ -74,16 +74,16 @@ Figure manyPanels() {
 Pixels drawn(const Plot& plot) {
   Canvas canvas = Canvas::png(kPanel.right, kPanel.bottom, 1.0);
   drawPlot(canvas, plot, kPanel);
-  return pixelsOf(canvas.finish());
+  return decodePng(canvas.finish());
 }
 
 Pixels drawn(const MeshView& view) {
   Canvas canvas = Canvas::png(kPanel.right, kPanel.bottom, 1.0);
   drawMeshView(canvas, view, kPanel);
-  return pixelsOf(canvas.finish());
+  return decodePng(canvas.finish());
 }
 
-PlotLayout layoutOf(const Plot& plot) { return layoutOf(plot, kPanel, Canvas::png(1.0, 1.0, 1.0)); }
+PlotLayout computeLayout(const Plot& plot) { return computeLayout(plot, kPanel, Canvas::png(1.0, 1.0, 1.0)); }
 
 // Every opened tag is closed in order and no angle bracket stands loose.
 bool isWellFormed(const std::string& xml) {
@@ -116,7 +116,7 @@ int distance(std::uint32_t a, std::uint32_t b) {
 }  // namespace
 
 TEST(Figure, SvgIsWellFormedAndNamesItsSeriesAxesAndUnits) {
-  const std::string svg = svgOf({.panels = {ratesPlot()}});
+  const std::string svg = renderSvg({.panels = {ratesPlot()}});
   EXPECT_TRUE(isWellFormed(svg));
   for (const char* text : {"Rates", "triangles", "rate (FPS)", "touched", "graphics &lt;all&gt;", "10000"}) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
@@ -125,21 +125,21 @@ TEST(Figure, SvgIsWellFormedAndNamesItsSeriesAxesAndUnits) {
 
 TEST(Figure, BytesOfANameThatAreNoLettersAreMarked) {
   const Figure figure{.title = "sz\xe9ne", .panels = {ratesPlot()}};
-  const std::string svg = svgOf(figure);
+  const std::string svg = renderSvg(figure);
   EXPECT_TRUE(isWellFormed(svg));
   EXPECT_NE(svg.find("sz\xef\xbf\xbdne"), std::string::npos);
-  EXPECT_FALSE(pngOf(figure).empty());
+  EXPECT_FALSE(renderPng(figure).empty());
 }
 
 TEST(Figure, EqualFiguresGiveEqualFiles) {
-  EXPECT_EQ(svgOf(manyPanels()), svgOf(manyPanels()));
-  EXPECT_EQ(pngOf(manyPanels()), pngOf(manyPanels()));
+  EXPECT_EQ(renderSvg(manyPanels()), renderSvg(manyPanels()));
+  EXPECT_EQ(renderPng(manyPanels()), renderPng(manyPanels()));
 }
 
 TEST(Figure, NoTextCoversAnotherOrLeavesThePage) {
   const Figure figure = manyPanels();
-  const Pixels page = pixelsOf(pngOf(figure, 1.0));
-  const std::vector<DrawnText> texts = textsOf(figure);
+  const Pixels page = decodePng(renderPng(figure, 1.0));
+  const std::vector<DrawnText> texts = collectDrawnTexts(figure);
   ASSERT_GT(texts.size(), 40u);
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const DrawnText& a = texts[i];
@@ -154,12 +154,12 @@ TEST(Figure, NoTextCoversAnotherOrLeavesThePage) {
 
 TEST(Figure, AMapShowsTheColourOfItsValueAtEveryPlace) {
   const Plot plot = mapPlot();
-  const PlotLayout layout = layoutOf(plot);
+  const PlotLayout layout = computeLayout(plot);
   const Pixels pixels = drawn(plot);
   for (const Vec2& place : {Vec2(-80, -40), Vec2(0, 0), Vec2(55, 13), Vec2(90, 20)}) {
     const Vec2 at = layout(place);
     const double share = (5.0 + 0.04 * place.x() + 0.02 * place.y()) / 10.0;
-    const std::uint32_t expected = pixelOf(mapColour(ColourMap::viridis, share)) & 0xffffffu;
+    const std::uint32_t expected = toPremultipliedArgb(mapColour(ColourMap::viridis, share)) & 0xffffffu;
     EXPECT_LE(distance(pixels.at(at.x(), at.y()), expected), 4) << place.transpose();
   }
 }
@@ -167,9 +167,9 @@ TEST(Figure, AMapShowsTheColourOfItsValueAtEveryPlace) {
 TEST(Figure, AFieldOfCellsIsOneColourFromEdgeToEdgeOfEach) {
   Plot plot = mapPlot();
   plot.field->cells = true;
-  const PlotLayout layout = layoutOf(plot);
+  const PlotLayout layout = computeLayout(plot);
   const Pixels pixels = drawn(plot);
-  const std::uint32_t expected = pixelOf(mapColour(ColourMap::viridis, 0.5)) & 0xffffffu;
+  const std::uint32_t expected = toPremultipliedArgb(mapColour(ColourMap::viridis, 0.5)) & 0xffffffu;
   for (const Vec2& place : {Vec2(-4, -4), Vec2(0, 0), Vec2(4, 4)}) {
     const Vec2 at = layout(place);
     EXPECT_EQ(pixels.at(at.x(), at.y()), expected) << place.transpose();
@@ -179,13 +179,13 @@ TEST(Figure, AFieldOfCellsIsOneColourFromEdgeToEdgeOfEach) {
 TEST(Figure, ALabelStandsInTheMiddleOfItsPlace) {
   Figure figure{.panels = {mapPlot()}};
   std::get<Plot>(figure.panels[0]).labels.push_back({.at = Vec2(20.0, 10.0), .text = "42"});
-  const std::vector<DrawnText> texts = textsOf(figure);
+  const std::vector<DrawnText> texts = collectDrawnTexts(figure);
   const auto label = std::find_if(texts.begin(), texts.end(), [](const DrawnText& text) { return text.text == "42"; });
   ASSERT_NE(label, texts.end());
   const double margin = 12.0;  // of a figure around its panel
   const PlotLayout layout =
-      layoutOf(mapPlot(), {margin, margin, margin + figure.panel_width_px, margin + figure.panel_height_px},
-               Canvas::png(1.0, 1.0, 1.0));
+      computeLayout(mapPlot(), {margin, margin, margin + figure.panel_width_px, margin + figure.panel_height_px},
+                    Canvas::png(1.0, 1.0, 1.0));
   const Vec2 at = layout(Vec2(20.0, 10.0));
   EXPECT_NEAR(0.5 * (label->left + label->right), at.x(), 1.0);
   EXPECT_NEAR(0.5 * (label->top + label->bottom), at.y(), 1.5);
@@ -193,12 +193,12 @@ TEST(Figure, ALabelStandsInTheMiddleOfItsPlace) {
 
 TEST(Figure, OutsideTheFieldThePaperShows) {
   const Plot plot = mapPlot();
-  const Vec2 outside = layoutOf(plot)({0.0, 45.0});
+  const Vec2 outside = computeLayout(plot)({0.0, 45.0});
   EXPECT_EQ(drawn(plot).at(outside.x(), outside.y()), 0xffffffu);
 }
 
 TEST(Figure, AnEqualAspectKeepsCirclesRound) {
-  const PlotLayout layout = layoutOf(mapPlot());
+  const PlotLayout layout = computeLayout(mapPlot());
   EXPECT_NEAR((layout({10.0, 0.0}) - layout({0.0, 0.0})).norm(), (layout({0.0, 10.0}) - layout({0.0, 0.0})).norm(),
               1e-9);
 }
@@ -206,47 +206,47 @@ TEST(Figure, AnEqualAspectKeepsCirclesRound) {
 TEST(Figure, ASeriesGoesThroughItsPoints) {
   Plot plot = ratesPlot();
   plot.series[0].marker = Marker::circle;
-  const Vec2 at = layoutOf(plot)({8163.0, 34.0});
-  EXPECT_LE(distance(drawn(plot).at(at.x(), at.y()), pixelOf(kBlue) & 0xffffffu), 2);
+  const Vec2 at = computeLayout(plot)({8163.0, 34.0});
+  EXPECT_LE(distance(drawn(plot).at(at.x(), at.y()), toPremultipliedArgb(kBlue) & 0xffffffu), 2);
 }
 
 TEST(Figure, PointsThatCannotBeShownInterruptACurve) {
   Plot plot{.x = {.from = 0.0, .to = 4.0}, .y = {.from = 0.0, .to = 2.0}};
   plot.series.push_back({.name = "gap", .x = {0, 1, 2, 3, 4}, .y = {1, 1, std::nan(""), 1, 1}});
-  const PlotLayout layout = layoutOf(plot);
+  const PlotLayout layout = computeLayout(plot);
   const Pixels pixels = drawn(plot);
   const auto colour_at = [&](double x) { return pixels.at(layout({x, 1.0}).x(), layout({x, 1.0}).y()); };
-  EXPECT_LE(distance(colour_at(0.5), pixelOf(kBlue) & 0xffffffu), 40);
-  EXPECT_GT(distance(colour_at(1.6), pixelOf(kBlue) & 0xffffffu), 100);
+  EXPECT_LE(distance(colour_at(0.5), toPremultipliedArgb(kBlue) & 0xffffffu), 40);
+  EXPECT_GT(distance(colour_at(1.6), toPremultipliedArgb(kBlue) & 0xffffffu), 100);
 }
 
 TEST(Figure, ATriangleIsShownInItsColourWithTheNearOneInFront) {
   MeshView view = triangleView();
   view.colour = kGreen;
-  EXPECT_LE(distance(drawn(view).at(250.0, 200.0), pixelOf(kGreen) & 0xffffffu), 1);
+  EXPECT_LE(distance(drawn(view).at(250.0, 200.0), toPremultipliedArgb(kGreen) & 0xffffffu), 1);
   for (const Vec3& corner : {Vec3(-50, -50, 10), Vec3(50, -50, 10), Vec3(0, 50, 10)}) view.positions.push_back(corner);
   view.triangles = {{3, 4, 5}, {0, 1, 2}};
   view.colours = {kBlue, kGreen};
-  EXPECT_LE(distance(drawn(view).at(250.0, 200.0), pixelOf(kBlue) & 0xffffffu), 1);
+  EXPECT_LE(distance(drawn(view).at(250.0, 200.0), toPremultipliedArgb(kBlue) & 0xffffffu), 1);
 }
 
 TEST(Figure, EmptyDataGiveAnEmptyPictureInsteadOfAFailure) {
-  EXPECT_TRUE(isWellFormed(svgOf({.panels = {Plot{}, MeshView{}}})));
-  EXPECT_TRUE(isWellFormed(svgOf({})));
+  EXPECT_TRUE(isWellFormed(renderSvg({.panels = {Plot{}, MeshView{}}})));
+  EXPECT_TRUE(isWellFormed(renderSvg({})));
 }
 
 TEST(Figure, WritesBothFormats) {
   const support::TemporaryFolder folder;
   writePng({.panels = {ratesPlot()}}, folder.path() / "rates.png");
   writeSvg({.panels = {ratesPlot()}}, folder.path() / "rates.svg");
-  EXPECT_EQ(pixelsOf(readFile(folder.path() / "rates.png", 1 << 24)).width, static_cast<int>(2 * 544));
+  EXPECT_EQ(decodePng(readFile(folder.path() / "rates.png", 1 << 24)).width, static_cast<int>(2 * 544));
   EXPECT_TRUE(isWellFormed(readFile(folder.path() / "rates.svg", 1 << 24)));
 }
 
 TEST(Figure, AFileThatCannotBeWrittenIsNamed) {
   const std::string file = "/dev/null/at/all.png";
-  EXPECT_EQ(support::messageOf([&] { writePng({}, file); }).substr(0, file.size() + 1), file + ":");
-  EXPECT_NE(support::messageOf([&] { writeSvg({}, "/dev/null/at/all.svg"); }), "no error");
+  EXPECT_EQ(support::thrownMessage([&] { writePng({}, file); }).substr(0, file.size() + 1), file + ":");
+  EXPECT_NE(support::thrownMessage([&] { writeSvg({}, "/dev/null/at/all.svg"); }), "no error");
 }
 
 }  // namespace palpate::figures

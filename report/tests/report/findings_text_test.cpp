@@ -9,7 +9,7 @@ namespace palpate::study {
 namespace {
 
 std::vector<std::string> filled(std::string_view text, const FindingValues& values) {
-  return findingsOf({"some_findings.txt", text}, values);
+  return formatFindings({"some_findings.txt", text}, values);
 }
 
 /// Of a text of one finding.
@@ -18,7 +18,7 @@ std::string said(const std::string& text, const FindingValues& values) {
 }
 
 std::string refusal(std::string_view text, const FindingValues& values) {
-  return support::messageOf([&] { filled(text, values); });
+  return support::thrownMessage([&] { filled(text, values); });
 }
 
 }  // namespace

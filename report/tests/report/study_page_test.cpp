@@ -52,7 +52,7 @@ TEST(StudyPage, IsWrittenWithItsFiguresAndTables) {
 }
 
 TEST(StudyPage, SumsItselfUpAsJson) {
-  const auto json = nlohmann::json::parse(jsonOf(samplePage()));
+  const auto json = nlohmann::json::parse(toJson(samplePage()));
   EXPECT_EQ(json["study"], "sample");
   EXPECT_EQ(json["numbers"]["slope_ms"], 4.0);
   EXPECT_EQ(json["figures"][0], "sample_time.svg");
@@ -63,9 +63,9 @@ TEST(StudyPage, NestsNumbersAndWordsThatHaveDotsInTheirNames) {
   StudyPage page = samplePage();
   page.numbers = {{"found.hard", 61.0}, {"found.soft", 52.0}, {"people", 12.0}};
   page.words = {{"fitted.first", {"hard"}}};
-  EXPECT_FALSE(nlohmann::json::parse(jsonOf(page)).contains("found")) << "only on top";
+  EXPECT_FALSE(nlohmann::json::parse(toJson(page)).contains("found")) << "only on top";
   page.numbers_on_top = true;
-  const auto json = nlohmann::json::parse(jsonOf(page));
+  const auto json = nlohmann::json::parse(toJson(page));
   EXPECT_EQ(json["found"]["hard"], 61.0);
   EXPECT_EQ(json["found"]["soft"], 52.0);
   EXPECT_EQ(json["people"], 12.0);
@@ -73,11 +73,11 @@ TEST(StudyPage, NestsNumbersAndWordsThatHaveDotsInTheirNames) {
   EXPECT_EQ(json["fitted"]["first"][0], "hard");
   EXPECT_EQ(json["figures"][0], "sample_time.svg");
   page.numbers.emplace_back("figures.one", 1.0);
-  EXPECT_EQ(nlohmann::json::parse(jsonOf(page))["figures"]["files"][0], "sample_time.svg");
+  EXPECT_EQ(nlohmann::json::parse(toJson(page))["figures"]["files"][0], "sample_time.svg");
 }
 
 TEST(StudyPage, AFolderThatCannotBeMadeIsNamed) {
-  EXPECT_NE(support::messageOf([] { writePage(samplePage(), "/proc/nowhere"); }).find("/proc/nowhere"),
+  EXPECT_NE(support::thrownMessage([] { writePage(samplePage(), "/proc/nowhere"); }).find("/proc/nowhere"),
             std::string::npos);
 }
 

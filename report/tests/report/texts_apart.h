@@ -10,7 +10,7 @@
 namespace palpate::study {
 
 inline void expectTextsApart(const figures::Figure& figure, const std::string& name) {
-  const auto texts = figures::textsOf(figure);
+  const auto texts = figures::collectDrawnTexts(figure);
   for (std::size_t i = 0; i < texts.size(); ++i) {
     for (std::size_t j = i + 1; j < texts.size(); ++j) {
       const auto& a = texts[i];

@@ -53,13 +53,13 @@ class Map : public ::testing::Test {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
   CommandResult map(const std::string& arguments) const { return runPalpate("body map " + arguments, folder_.path()); }
-  nlohmann::json summaryOf(const std::string& arguments) const {
+  nlohmann::json runForJson(const std::string& arguments) const {
     const CommandResult result = map(arguments + " --json");
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return nlohmann::json::parse(result.out);
   }
   /// The error of a run that must end with exit code 2 and exactly one line.
-  std::string errorOf(const std::string& arguments) const {
+  std::string runForError(const std::string& arguments) const {
     const CommandResult result = map(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_TRUE(!result.err.empty() && result.err.find('\n') == result.err.size() - 1) << "one line: " << result.err;
@@ -70,7 +70,7 @@ class Map : public ::testing::Test {
 };
 
 TEST_F(Map, EllipsesAsATableAreThoseOfTheLibrary) {
-  summaryOf("ellipses hill.obj -o e.csv");
+  runForJson("ellipses hill.obj -o e.csv");
   const Table table = tableOf(folder_ / "e.csv");
   const maps::EllipseMap ellipses(maps::dissertationKeyPoints());
   ASSERT_EQ(table.at("x_mm").size(), 441u);
@@ -85,7 +85,7 @@ TEST_F(Map, EllipsesAsATableAreThoseOfTheLibrary) {
 }
 
 TEST_F(Map, AGridHasARowAtEveryNodeOverTheSkin) {
-  summaryOf("ellipses hill.obj -o g.csv --grid-mm 50 --data down --averaging tensorial");
+  runForJson("ellipses hill.obj -o g.csv --grid-mm 50 --data down --averaging tensorial");
   const Table table = tableOf(folder_ / "g.csv");
   ASSERT_EQ(table.at("x_mm").size(), 81u);  // 9 x 9 of 400 mm
   const maps::EllipseMap ellipses(
@@ -97,11 +97,11 @@ TEST_F(Map, AGridHasARowAtEveryNodeOverTheSkin) {
 }
 
 TEST_F(Map, PrintedFormsAreThoseOfTheLibrary) {
-  const nlohmann::json exact = summaryOf("ellipses hill.obj -o e.csv");
+  const nlohmann::json exact = runForJson("ellipses hill.obj -o e.csv");
   EXPECT_LT(exact["fit_error"]["half_major_mm"]["max"], 1e-9);
-  const nlohmann::json misses = summaryOf("ellipses hill.obj -o n.csv --interpolation single-effects");
+  const nlohmann::json misses = runForJson("ellipses hill.obj -o n.csv --interpolation single-effects");
   EXPECT_GT(misses["fit_error"]["half_major_mm"]["max"], 3.0);  // (5.7) misses its keys
-  summaryOf("ellipses hill.obj -o l.csv --fidelity E28,E29");
+  runForJson("ellipses hill.obj -o l.csv --fidelity E28,E29");
   Fidelity fidelity;
   fidelity.setLiteral(Erratum::E28_effect_radius);
   fidelity.setLiteral(Erratum::E29_mean_of_angles);
@@ -115,7 +115,7 @@ TEST_F(Map, PrintedFormsAreThoseOfTheLibrary) {
 }
 
 TEST_F(Map, TheColouredSurfaceIsTheSkin) {
-  summaryOf("ellipses hill.obj -o e.ply --quantity aspect");
+  runForJson("ellipses hill.obj -o e.ply --quantity aspect");
   const mesh::TriangleMesh before = mesh::load(folder_ / "hill.obj");
   const mesh::TriangleMesh after = mesh::load(folder_ / "e.ply");
   EXPECT_EQ(after.positions, before.positions);
@@ -127,7 +127,7 @@ TEST_F(Map, TheColouredSurfaceIsTheSkin) {
 }
 
 TEST_F(Map, PicturesHaveAxesALegendAndTheKeyPoints) {
-  summaryOf("ellipses hill.obj -o e.svg -o e.png --range 120,180");
+  runForJson("ellipses hill.obj -o e.svg -o e.png --range 120,180");
   const std::string svg = contentOf(folder_ / "e.svg");
   for (const char* text :
        {"Deformation ellipses: half-major axis", "half-major axis (mm)", "(mm)", "P1", "P7", "150"}) {
@@ -137,21 +137,21 @@ TEST_F(Map, PicturesHaveAxesALegendAndTheKeyPoints) {
 }
 
 TEST_F(Map, TheRangeIsThatOfTheDataOrAsAskedFor) {
-  EXPECT_EQ(summaryOf("ellipses hill.obj -o e.csv --range 100,200")["range"], nlohmann::json({100.0, 200.0}));
-  const auto range = summaryOf("ellipses hill.obj -o e.csv")["range"];
+  EXPECT_EQ(runForJson("ellipses hill.obj -o e.csv --range 100,200")["range"], nlohmann::json({100.0, 200.0}));
+  const auto range = runForJson("ellipses hill.obj -o e.csv")["range"];
   EXPECT_NEAR(range[0].get<double>() + range[1].get<double>(), 300.0, 1e-9);  // the basic circle is in the middle
-  EXPECT_EQ(summaryOf("ellipses hill.obj -o e.csv --quantity direction")["range"], nlohmann::json({0.0, 180.0}));
+  EXPECT_EQ(runForJson("ellipses hill.obj -o e.csv --quantity direction")["range"], nlohmann::json({0.0, 180.0}));
 }
 
 TEST_F(Map, SaysWhatOfTheMeshIsLeftOut) {
   std::ofstream(folder_ / "hill.obj", std::ios::app) << "l 1 2\nl 2 3\n";
-  EXPECT_EQ(summaryOf("ellipses hill.obj -o e.csv")["notes"], nlohmann::json({"hill.obj: left out: lines (2)"}));
+  EXPECT_EQ(runForJson("ellipses hill.obj -o e.csv")["notes"], nlohmann::json({"hill.obj: left out: lines (2)"}));
   EXPECT_NE(map("ellipses hill.obj -o e.csv").out.find("note: hill.obj: left out: lines (2)"), std::string::npos);
 }
 
 TEST_F(Map, ContoursFromATableAndFromTheBuiltInEllipses) {
   write("contours.csv", "name,x_mm,y_mm,r0_mm,r1_mm,r2_mm,r3_mm\nA,0,-50,100,50,80,60\n");
-  const nlohmann::json summary = summaryOf("contours hill.obj --keys contours.csv -o c.csv -o c.svg");
+  const nlohmann::json summary = runForJson("contours hill.obj --keys contours.csv -o c.csv -o c.svg");
   EXPECT_EQ(summary["radii"], 4);
   EXPECT_LT(summary["fit_error"]["radius_mm"]["max"], 1e-9);
   const maps::PolarContourMap contours(maps::readContourPoints(folder_ / "contours.csv"));
@@ -160,7 +160,7 @@ TEST_F(Map, ContoursFromATableAndFromTheBuiltInEllipses) {
     const maps::PolarContour here = contours.at(table.at("x_mm")[v], table.at("y_mm")[v]);
     EXPECT_NEAR(table.at("r3_mm")[v], std::exp(here.log_radii[3]), 1e-9);
   }
-  EXPECT_EQ(summaryOf("contours hill.obj --radii 8 -o c.csv")["radii"], 8);
+  EXPECT_EQ(runForJson("contours hill.obj --radii 8 -o c.csv")["radii"], 8);
 }
 
 TEST_F(Map, StiffnessByEachInterpolationWithItsFitError) {
@@ -170,7 +170,7 @@ TEST_F(Map, StiffnessByEachInterpolationWithItsFitError) {
   const auto keys = maps::readKeyPoints(folder_ / "keys.csv");
   const auto check = [&](const std::string& word, maps::StiffnessInterpolation interpolation) {
     const nlohmann::json summary =
-        summaryOf("stiffness hill.obj --keys keys.csv --degree 1 -o s.csv --interpolation " + word);
+        runForJson("stiffness hill.obj --keys keys.csv --degree 1 -o s.csv --interpolation " + word);
     maps::MeasuredStiffness settings;
     settings.interpolation = interpolation;
     settings.polynomial_degree = 1;
@@ -187,10 +187,10 @@ TEST_F(Map, StiffnessByEachInterpolationWithItsFitError) {
 }
 
 TEST_F(Map, StiffnessOfTheTorsoComesFromItsBones) {
-  const nlohmann::json summary = summaryOf("stiffness --triangles 8163 -o s.ply -o s.svg");
+  const nlohmann::json summary = runForJson("stiffness --triangles 8163 -o s.ply -o s.svg");
   EXPECT_EQ(summary["source"], "depth of the bones");
   EXPECT_GT(summary["range"][1], 0.8);
-  const nlohmann::json fit = summaryOf("stiffness --triangles 8163 -o s.csv --interpolation thin-plate");
+  const nlohmann::json fit = runForJson("stiffness --triangles 8163 -o s.csv --interpolation thin-plate");
   EXPECT_EQ(fit["keys"].size(), 7u);
   EXPECT_LT(fit["fit_error_n_per_mm"]["max"], 1e-9);
 }
@@ -199,7 +199,7 @@ TEST_F(Map, OfASceneHasItsDysfunctionsInIt) {
   write("scene.toml",
         "title = \"Monday\"\n[body]\nkind = \"mesh\"\nfile = \"hill.obj\"\n[stiffness]\nconstant_n_per_mm = 0.4\n"
         "[[dysfunction]]\nx_mm = 40\ny_mm = -50\nradius_mm = 70\nchange_percent = 150\nedge_softness = 0.3\n");
-  const nlohmann::json summary = summaryOf("stiffness --scene scene.toml -o s.csv -o s.svg -o s.ply");
+  const nlohmann::json summary = runForJson("stiffness --scene scene.toml -o s.csv -o s.svg -o s.ply");
   EXPECT_EQ(summary["scene"], "Monday");
   EXPECT_EQ(summary["dysfunctions"][0]["change_percent"], 150.0);
   EXPECT_NEAR(summary["range"][1], 1.0, 1e-9);  // 0.4 N/mm and 150 % more
@@ -220,7 +220,7 @@ TEST_F(Map, OfASceneTakesItsKeyPointsAndBones) {
   write("keys.csv", "A,-100,-150,90,1.2,80\nB,100,100,120,1.1,100\n");
   write("hill.toml",
         "[body]\nkind = \"mesh\"\nfile = \"hill.obj\"\n[ellipses]\nkey_points = \"keys.csv\"\nbasic_radius_mm = 100\n");
-  const nlohmann::json summary = summaryOf("ellipses --scene hill.toml -o e.csv");
+  const nlohmann::json summary = runForJson("ellipses --scene hill.toml -o e.csv");
   EXPECT_NEAR(summary["basic_radius_mm"].get<double>(), 100.0, 1e-9);
   const maps::EllipseMap ellipses(maps::readKeyPoints(folder_ / "keys.csv"), {.basic_radius_mm = 100.0});
   const Table table = tableOf(folder_ / "e.csv");
@@ -228,20 +228,21 @@ TEST_F(Map, OfASceneTakesItsKeyPointsAndBones) {
     const double at_vertex = ellipses.at(table.at("x_mm")[v], table.at("y_mm")[v]).half_major_mm;
     EXPECT_NEAR(table.at("half_major_mm")[v], at_vertex, 1e-9);
   }
-  EXPECT_EQ(errorOf("contours --scene hill.toml -o c.csv"),
+  EXPECT_EQ(runForError("contours --scene hill.toml -o c.csv"),
             "palpate: map contours: the scene's drags have ellipses; [deformation] shape = \"contour\"\n");
   write("torso.toml", "[body]\nkind = \"torso\"\ntriangles = 8163\n");
-  summaryOf("depth --scene torso.toml -o d.csv");
-  summaryOf("depth --triangles 8163 -o bare.csv");
+  runForJson("depth --scene torso.toml -o d.csv");
+  runForJson("depth --triangles 8163 -o bare.csv");
   std::vector<double> of_scene = tableOf(folder_ / "d.csv").at("bone_depth_mm");
   std::vector<double> bare = tableOf(folder_ / "bare.csv").at("bone_depth_mm");
   std::ranges::sort(of_scene);  // the scene's skin is ordered in space
   std::ranges::sort(bare);
   EXPECT_EQ(of_scene, bare);
-  EXPECT_EQ(errorOf("depth --scene hill.toml -o d.csv"),
+  EXPECT_EQ(runForError("depth --scene hill.toml -o d.csv"),
             "palpate: map depth: needs bones, which only the built-in torso has\n");
-  EXPECT_NE(errorOf("stiffness hill.obj --scene hill.toml -o s.csv").find("mesh excludes --scene"), std::string::npos);
-  EXPECT_NE(errorOf("ellipses --keys keys.csv --scene hill.toml -o s.csv").find("--keys excludes --scene"),
+  EXPECT_NE(runForError("stiffness hill.obj --scene hill.toml -o s.csv").find("mesh excludes --scene"),
+            std::string::npos);
+  EXPECT_NE(runForError("ellipses --keys keys.csv --scene hill.toml -o s.csv").find("--keys excludes --scene"),
             std::string::npos);
 }
 
@@ -250,12 +251,12 @@ TEST_F(Map, OfASceneHasTheContoursThatFollowBonesAndFolds) {
   write("ellipses.toml", trunk);
   write("contours.toml", trunk + "[deformation]\nshape = \"contour\"\ntissue = \"gaussian\"\n");
   write("layers.toml", trunk + "[deformation]\nshape = \"contour\"\n");
-  summaryOf("ellipses --scene ellipses.toml -o e.csv");
-  const nlohmann::json summary = summaryOf("contours --scene contours.toml -o c.csv");
+  runForJson("ellipses --scene ellipses.toml -o e.csv");
+  const nlohmann::json summary = runForJson("contours --scene contours.toml -o c.csv");
   EXPECT_EQ(summary["map"], "contours");
   const Table measured = tableOf(folder_ / "e.csv");
   const Table bent = tableOf(folder_ / "c.csv");
-  summaryOf("contours --scene layers.toml -o l.csv");
+  runForJson("contours --scene layers.toml -o l.csv");
   const std::vector<double> rims = tableOf(folder_ / "l.csv").at("mean_radius_mm");
   EXPECT_LE(*std::ranges::max_element(rims), 160.0 + 1e-9) << "the rim of a tenth lies beyond what was measured";
   EXPECT_LT(*std::ranges::min_element(rims), 0.5 * 160.0);
@@ -272,20 +273,21 @@ TEST_F(Map, OfASceneHasTheContoursThatFollowBonesAndFolds) {
 }
 
 TEST_F(Map, WrongInputIsOneLine) {
-  EXPECT_EQ(errorOf("ellipses hill.obj -o e.txt"), "palpate: e.txt: a map is written as .csv, .ply, .png, .svg\n");
-  EXPECT_EQ(errorOf("ellipses hill.obj -o e.csv --range 5,2"), "palpate: map: --range needs two rising numbers\n");
-  EXPECT_EQ(errorOf("stiffness hill.obj -o e.csv"),
+  EXPECT_EQ(runForError("ellipses hill.obj -o e.txt"), "palpate: e.txt: a map is written as .csv, .ply, .png, .svg\n");
+  EXPECT_EQ(runForError("ellipses hill.obj -o e.csv --range 5,2"), "palpate: map: --range needs two rising numbers\n");
+  EXPECT_EQ(runForError("stiffness hill.obj -o e.csv"),
             "palpate: map stiffness: needs --keys with a stiffness, or the torso's bones\n");
   write("keys.csv", "A,0,0,100,1,90\n");
-  EXPECT_EQ(errorOf("stiffness hill.obj --keys keys.csv -o e.csv"),
+  EXPECT_EQ(runForError("stiffness hill.obj --keys keys.csv -o e.csv"),
             "palpate: keys.csv: no key point has a stiffness_n_per_mm\n");
   write("keys.csv", "A,0,0,100,1,90,0.5\n");
-  EXPECT_EQ(errorOf("stiffness hill.obj --keys keys.csv -o e.csv --interpolation polynomial"),
+  EXPECT_EQ(runForError("stiffness hill.obj --keys keys.csv -o e.csv --interpolation polynomial"),
             "palpate: polynomial of degree 2: needs 6 key points, there are 1\n");
   write("keys.csv", "A,0,0,100\n");
-  EXPECT_NE(errorOf("contours hill.obj --keys keys.csv -o e.csv").find("keys.csv:1: expected name"), std::string::npos);
-  EXPECT_NE(errorOf("ellipses hill.obj --fidelity E99 -o e.csv").find("E99"), std::string::npos);
-  EXPECT_NE(errorOf("ellipses hill.obj").find("--out is required"), std::string::npos);
+  EXPECT_NE(runForError("contours hill.obj --keys keys.csv -o e.csv").find("keys.csv:1: expected name"),
+            std::string::npos);
+  EXPECT_NE(runForError("ellipses hill.obj --fidelity E99 -o e.csv").find("E99"), std::string::npos);
+  EXPECT_NE(runForError("ellipses hill.obj").find("--out is required"), std::string::npos);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class PlotCommand : public ::testing::Test {
     return support::runPalpate("recording plot " + arguments, folder_.path());
   }
   /// Every text of the plot on a line of its own: the description of an SVG repeats them.
-  std::string textsOf(const std::string& arguments) const {
+  std::string readSvgTexts(const std::string& arguments) const {
     const CommandResult result = plot(arguments + " -o plot.svg");
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const std::string svg = contentOf(folder_ / "plot.svg");
@@ -58,7 +58,7 @@ class PlotCommand : public ::testing::Test {
   static bool has(const std::string& texts, const std::string& text) {
     return texts.find("\n" + text + "\n") != std::string::npos;
   }
-  std::string errorOf(const std::string& arguments) const {
+  std::string runForError(const std::string& arguments) const {
     const CommandResult result = plot(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_TRUE(!result.err.empty() && result.err.find('\n') == result.err.size() - 1) << "one line: " << result.err;
@@ -70,7 +70,7 @@ class PlotCommand : public ::testing::Test {
 };
 
 TEST_F(PlotCommand, HasForceDepthLagAndStatesWithUnits) {
-  const std::string texts = textsOf("forces.csv");
+  const std::string texts = readSvgTexts("forces.csv");
   for (const char* text : {"forces.csv", "force (N)", "depth (mm)", "lag of the skin (mm)", "time (s)", "left", "right",
                            "left sticks", "right slips", "right force clamped"}) {
     EXPECT_TRUE(has(texts, text)) << text;
@@ -79,10 +79,10 @@ TEST_F(PlotCommand, HasForceDepthLagAndStatesWithUnits) {
 }
 
 TEST_F(PlotCommand, ShowsWhatIsAskedFor) {
-  const std::string depth = textsOf("forces.csv --columns depth,speed --finger right --title Monday");
+  const std::string depth = readSvgTexts("forces.csv --columns depth,speed --finger right --title Monday");
   for (const char* text : {"depth (mm)", "speed (mm/s)", "Monday", "right"}) EXPECT_TRUE(has(depth, text)) << text;
   for (const char* text : {"force (N)", "left", "right slips"}) EXPECT_FALSE(has(depth, text)) << text;
-  const std::string part = textsOf("forces.csv --from 0.1 --to 0.25 --columns states");
+  const std::string part = readSvgTexts("forces.csv --from 0.1 --to 0.25 --columns states");
   EXPECT_TRUE(has(part, "right sticks"));
   EXPECT_TRUE(has(part, "0.25") || has(part, "0.24")) << part;
   EXPECT_FALSE(has(part, "0.5")) << "the axis ends where it was asked to";
@@ -92,34 +92,34 @@ TEST_F(PlotCommand, ShowsWhatIsAskedFor) {
 
 TEST_F(PlotCommand, ASpikeOfOneTickIsSeenInALongRun) {
   write("long.csv", pressedTable(9000, 40.0));
-  const std::string texts = textsOf("long.csv --columns force --finger left");
+  const std::string texts = readSvgTexts("long.csv --columns force --finger left");
   EXPECT_TRUE(has(texts, "40")) << "the axis reaches to the spike: " << texts;
   EXPECT_NE(texts.find("the least and the greatest of 8 ticks"), std::string::npos);
 }
 
 TEST_F(PlotCommand, NamesTheLineOfWhatItCannotRead) {
   write("path.csv", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n");
-  EXPECT_EQ(errorOf("path.csv"),
+  EXPECT_EQ(runForError("path.csv"),
             "palpate: path.csv:1: must be a table of forces: column 2 is 'x_mm' instead of finger\n");
   std::string text = pressedTable();
   write("cut.csv", text.substr(0, text.size() - 30));
-  EXPECT_NE(errorOf("cut.csv").find("cut.csv:1201: the table breaks off here: "), std::string::npos);
+  EXPECT_NE(runForError("cut.csv").find("cut.csv:1201: the table breaks off here: "), std::string::npos);
   text.replace(text.find(",stick,"), 7, ",stock,");
   write("typo.csv", text);
-  EXPECT_EQ(errorOf("typo.csv"), "palpate: typo.csv:2: state is 'stock', not free, stick or slip\n");
+  EXPECT_EQ(runForError("typo.csv"), "palpate: typo.csv:2: state is 'stock', not free, stick or slip\n");
   write("empty.csv", std::string(trace::forcesCsvHeader()) + "\n");
-  EXPECT_EQ(errorOf("empty.csv"), "palpate: empty.csv: holds no forces\n");
-  EXPECT_NE(errorOf("missing.csv").find("missing.csv"), std::string::npos);
+  EXPECT_EQ(runForError("empty.csv"), "palpate: empty.csv: holds no forces\n");
+  EXPECT_NE(runForError("missing.csv").find("missing.csv"), std::string::npos);
 }
 
 TEST_F(PlotCommand, NamesWhatIsWrongOnTheCommandLine) {
-  EXPECT_EQ(errorOf("forces.csv --finger middle"),
+  EXPECT_EQ(runForError("forces.csv --finger middle"),
             "palpate: forces.csv: has no finger \"middle\"; it has left, right\n");
-  EXPECT_EQ(errorOf("forces.csv --from 5"),
+  EXPECT_EQ(runForError("forces.csv --from 5"),
             "palpate: forces.csv: no row lies between --from and --to: it reaches from 0 to 0.599 s\n");
-  EXPECT_EQ(errorOf("forces.csv --from 2 --to 1"), "palpate: plot: --from must be below --to\n");
-  EXPECT_EQ(errorOf("forces.csv -o plot.jpg"), "palpate: plot.jpg: a plot is written as .png, .svg\n");
-  EXPECT_NE(errorOf("forces.csv --columns force,weight").find("--columns"), std::string::npos);
+  EXPECT_EQ(runForError("forces.csv --from 2 --to 1"), "palpate: plot: --from must be below --to\n");
+  EXPECT_EQ(runForError("forces.csv -o plot.jpg"), "palpate: plot.jpg: a plot is written as .png, .svg\n");
+  EXPECT_NE(runForError("forces.csv --columns force,weight").find("--columns"), std::string::npos);
 }
 
 }  // namespace

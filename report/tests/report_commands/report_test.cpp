@@ -143,7 +143,7 @@ std::map<std::string, CountedFinger> countedIn(const std::filesystem::path& tabl
   return fingers;
 }
 
-double meanOf(const std::vector<double>& values) {
+double meanValue(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
   return sum / static_cast<double>(values.size());
@@ -152,7 +152,7 @@ double meanOf(const std::vector<double>& values) {
 void expectSizes(const json& sizes, const std::vector<double>& sorted) {
   const std::size_t count = sorted.size();
   EXPECT_EQ(sizes["ticks"], count);
-  EXPECT_NEAR(sizes["mean"].get<double>(), meanOf(sorted), 1e-9);
+  EXPECT_NEAR(sizes["mean"].get<double>(), meanValue(sorted), 1e-9);
   EXPECT_NEAR(sizes["max"].get<double>(), sorted.back(), 1e-12);
   EXPECT_NEAR(sizes["median"].get<double>(), sorted[count / 2], 0.01 + sorted[count / 2 + 1] - sorted[count / 2 - 1]);
   EXPECT_NEAR(sizes["p95"].get<double>(), sorted[count * 95 / 100], 0.02);
@@ -419,10 +419,10 @@ TEST(ReadableText, KeepsUtf8AndReplacesWhatIsNone) {
 }
 
 TEST(DurationWords, AreRoundAndHaveUnits) {
-  EXPECT_EQ(app::durationWords(0.25), "0.250 s");
-  EXPECT_EQ(app::durationWords(62.34), "62.3 s");
-  EXPECT_EQ(app::durationWords(179.9), "3 min 00 s");
-  EXPECT_EQ(app::durationWords(3725.4), "1 h 02 min 05 s");
+  EXPECT_EQ(app::formatDuration(0.25), "0.250 s");
+  EXPECT_EQ(app::formatDuration(62.34), "62.3 s");
+  EXPECT_EQ(app::formatDuration(179.9), "3 min 00 s");
+  EXPECT_EQ(app::formatDuration(3725.4), "1 h 02 min 05 s");
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ HexBlock blockOf(const tissue::LayerStack& stack, const DragSettings& settings) 
                             .most = static_cast<int>(std::ceil(6.0 * settings.fineness))})};
 }
 
-HexBoundary boundaryOf(const HexBlock& block, double patch_radius_mm, Load load) {
+HexBoundary makeBoundary(const HexBlock& block, double patch_radius_mm, Load load) {
   HexBoundary boundary(block);
   const int last = block.alongX() - 1;
   for (int i = 0; i <= last; ++i) {
@@ -50,7 +50,7 @@ HexBoundary boundaryOf(const HexBlock& block, double patch_radius_mm, Load load)
 }
 
 HexMotion solved(const HexBlock& block, const DragSettings& settings, Load load) {
-  return solveHexBlock(block, boundaryOf(block, settings.patch_radius_mm, load), "drag");
+  return solveHexBlock(block, makeBoundary(block, settings.patch_radius_mm, load), "drag");
 }
 
 void check(const tissue::LayerStack& stack, const DragSettings& settings) {

@@ -149,7 +149,7 @@ void FieldSampler::add(double depth_mm, const Eigen::VectorXd& displacement) {
     }
   }
   knots_.depths_mm.push_back(depth_mm);
-  knots_.patterns.push_back(patternOf(contactRings(model_.mesh(), model_.sphereAt(depth_mm), displacement)));
+  knots_.patterns.push_back(fitPressurePattern(contactRings(model_.mesh(), model_.sphereAt(depth_mm), displacement)));
 }
 
 tissue::PressField FieldSampler::field() const {
@@ -207,7 +207,7 @@ std::vector<double> ringPressures(const tissue::PressurePattern& pattern, double
   return pressures;
 }
 
-tissue::PressurePattern patternOf(const std::vector<ContactRing>& rings) {
+tissue::PressurePattern fitPressurePattern(const std::vector<ContactRing>& rings) {
   if (rings.empty()) return {};
   constexpr double kWidthMm = 0.5;
   const std::vector<double> solved = ringPressures(rings, kWidthMm);

@@ -38,7 +38,7 @@ class FieldSampler {
 std::vector<double> ringPressures(const std::vector<ContactRing>& rings, double width_mm);
 
 /// q fitted to rings of half a millimetre, c where the skin leaves the sphere.
-tissue::PressurePattern patternOf(const std::vector<ContactRing>& rings);
+tissue::PressurePattern fitPressurePattern(const std::vector<ContactRing>& rings);
 
 /// Pressures of a pattern with a sum of 1 N, over rings of this width.
 std::vector<double> ringPressures(const tissue::PressurePattern& pattern, double width_mm, std::size_t count);

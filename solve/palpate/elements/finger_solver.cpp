@@ -8,7 +8,7 @@
 
 namespace palpate::elements {
 
-double deepestOf(double finger_mm) {
+double maxPressDepth(double finger_mm) {
   constexpr double kDeepestMm = 500.0;
   if (finger_mm >= tissue::kFingertipMm) return kDeepestMm;
   return std::min(2.5 * finger_mm, finger_mm + 4.0);
@@ -30,8 +30,8 @@ std::vector<tissue::FingerForces> solveFingers(const tissue::LayerStack& stack, 
     if (kRadii[i] == indenter.indenter_radius_mm) continue;
     report(progress, "pressing fingers", static_cast<double>(i) / static_cast<double>(kRadii.size()));
     std::vector<double> depths = indenter.depths_mm;
-    std::erase_if(depths, [&](double depth) { return depth > deepestOf(kRadii[i]); });
-    if (depths.empty()) depths.push_back(deepestOf(kRadii[i]));
+    std::erase_if(depths, [&](double depth) { return depth > maxPressDepth(kRadii[i]); });
+    if (depths.empty()) depths.push_back(maxPressDepth(kRadii[i]));
     PressSettings settings = settingsOf(kRadii[i], std::move(depths));
     settings.fineness = indenter.fineness;
     const PressSolution press = solvePress(stack, settings, {}, stop);

@@ -13,7 +13,7 @@ namespace palpate::elements {
 
 /// Greatest depth of a sphere, mm: small ones puncture the model's skin (docs/explanation/tissue.md), fingertips
 /// and larger ones go as deep as requested.
-double deepestOf(double finger_mm);
+double maxPressDepth(double finger_mm);
 
 /// A press of one sphere with a disc that is large enough for it.
 PressSettings settingsOf(double finger_mm, std::vector<double> depths_mm);

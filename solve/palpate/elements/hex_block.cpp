@@ -30,7 +30,7 @@ struct Equations {
   double given_energy = 0.0;  ///< twice that of the given displacements alone
 };
 
-Equations equationsOf(const HexBlock& block, const HexBoundary& boundary, const Freedoms& freedoms) {
+Equations assembleEquations(const HexBlock& block, const HexBoundary& boundary, const Freedoms& freedoms) {
   Equations equations;
   equations.right = Eigen::VectorXd::Zero(freedoms.count);
   std::vector<Eigen::Triplet<double>> entries;
@@ -38,8 +38,8 @@ Equations equationsOf(const HexBlock& block, const HexBoundary& boundary, const 
   for (int i = 0; i + 1 < block.alongX(); ++i) {
     for (int j = 0; j + 1 < block.alongY(); ++j) {
       for (int k = 0; k + 1 < block.deep(); ++k) {
-        const HexMatrix stiffness = block.stiffnessOf(i, j, k);
-        const std::array<int, 8> nodes = block.nodesOf(i, j, k);
+        const HexMatrix stiffness = block.elementStiffness(i, j, k);
+        const std::array<int, 8> nodes = block.elementNodes(i, j, k);
         std::array<int, 24> places{};
         for (int a = 0; a < 24; ++a) {
           places[static_cast<std::size_t>(a)] = 3 * nodes[static_cast<std::size_t>(a / 3)] + a % 3;
@@ -73,13 +73,13 @@ using Solver = Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lowe
 
 }  // namespace
 
-std::array<int, 8> HexBlock::nodesOf(int i, int j, int k) const {
+std::array<int, 8> HexBlock::elementNodes(int i, int j, int k) const {
   std::array<int, 8> all{};
   for (int v = 0; v < 8; ++v) all[static_cast<std::size_t>(v)] = node(i + (v & 1), j + (v >> 1 & 1), k + (v >> 2));
   return all;
 }
 
-HexMatrix HexBlock::stiffnessOf(int i, int j, int k) const {
+HexMatrix HexBlock::elementStiffness(int i, int j, int k) const {
   const auto width = [](const std::vector<double>& lines, int l) {
     return lines[static_cast<std::size_t>(l) + 1] - lines[static_cast<std::size_t>(l)];
   };
@@ -90,7 +90,7 @@ HexMatrix HexBlock::stiffnessOf(int i, int j, int k) const {
 
 HexMotion solveHexBlock(const HexBlock& block, const HexBoundary& boundary, const char* what) {
   const Freedoms freedoms(boundary);
-  const Equations equations = equationsOf(block, boundary, freedoms);
+  const Equations equations = assembleEquations(block, boundary, freedoms);
   Solver solver;
   solver.setTolerance(1e-5);
   solver.setMaxIterations(5000);

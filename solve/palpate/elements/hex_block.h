@@ -23,8 +23,8 @@ struct HexBlock {
   int deep() const { return static_cast<int>(rows.depths_mm.size()); }
   int nodes() const { return alongX() * alongY() * deep(); }
   int node(int i, int j, int k) const { return (i * alongY() + j) * deep() + k; }
-  std::array<int, 8> nodesOf(int i, int j, int k) const;
-  HexMatrix stiffnessOf(int i, int j, int k) const;
+  std::array<int, 8> elementNodes(int i, int j, int k) const;
+  HexMatrix elementStiffness(int i, int j, int k) const;
 };
 
 /// Nodes that are held or moved by a given distance; the rest is free.

@@ -117,7 +117,7 @@ std::string PressModel::placeOfFreedom(Eigen::Index freedom) const {
     for (const int node : mesh_.nodes[element]) {
       const auto n = static_cast<std::size_t>(node);
       if (std::ranges::count(mesh_.freedoms[n], static_cast<int>(freedom)) == 0) continue;
-      return placeWords(mesh_.r[n], mesh_.z[n], mesh_.layers[element]);
+      return describePlace(mesh_.r[n], mesh_.z[n], mesh_.layers[element]);
     }
   }
   return {};
@@ -126,11 +126,11 @@ std::string PressModel::placeOfFreedom(Eigen::Index freedom) const {
 std::string PressModel::placeOfElement(int element) const {
   const auto e = static_cast<std::size_t>(element);
   const auto& nodes = mesh_.nodes[e];
-  return placeWords(mesh_.r[static_cast<std::size_t>(nodes[4])], mesh_.z[static_cast<std::size_t>(nodes[5])],
-                    mesh_.layers[e]);
+  return describePlace(mesh_.r[static_cast<std::size_t>(nodes[4])], mesh_.z[static_cast<std::size_t>(nodes[5])],
+                       mesh_.layers[e]);
 }
 
-std::string PressModel::placeWords(double r, double z, int layer) const {
+std::string PressModel::describePlace(double r, double z, int layer) const {
   const std::string& name = layer_names_[static_cast<std::size_t>(layer)];
   const std::string shown = name.empty() ? fmt::format("layer {}", layer + 1) : "the " + name;
   return fmt::format("{:.1f} mm from the axis and {:.1f} mm deep at rest, in {}", r, mesh_.height() - z, shown);

@@ -67,7 +67,7 @@ class PressModel {
  private:
   QuadVector ofElement(const Eigen::VectorXd& displacement, std::size_t element) const;
   void hardenLump(const tissue::LayerStack& stack, const Inclusion& lump);
-  std::string placeWords(double r, double z, int layer) const;
+  std::string describePlace(double r, double z, int layer) const;
 
   QuadMesh mesh_;
   std::vector<NeoHookean> laws_;  ///< one per layer

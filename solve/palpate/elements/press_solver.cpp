@@ -39,7 +39,7 @@ class PressPath {
         found.trouble = "the force falls: the tissue gives way";
       }
       if (found.found()) {
-        keep(depth, std::move(found));
+        acceptStep(depth, std::move(found));
         return true;
       }
       trouble_ = std::move(found.trouble);
@@ -64,7 +64,7 @@ class PressPath {
     return last_ + (last_ - before_) * ((depth - depth_mm_) / (depth_mm_ - before_mm_));
   }
 
-  void keep(double depth, Equilibrium found) {
+  void acceptStep(double depth, Equilibrium found) {
     constexpr int kEasy = 6;  // systems
     constexpr int kHard = 10;
     const double taken = depth - depth_mm_;
@@ -126,7 +126,7 @@ tissue::PressedShape shapeOf(const PressPath& path, const QuadMesh& mesh, const 
 }
 
 /// Integral of the force over the depth, which between two steps is close to a power of it.
-double workOf(const std::vector<PressStep>& steps) {
+double computeWork(const std::vector<PressStep>& steps) {
   double work = 0.0;
   double depth = 0.0;
   double force = 0.0;
@@ -147,7 +147,7 @@ void checkSize(const char* what, double value, double least, double most) {
 }
 
 /// Last of depths that must increase from above 0; 0 for an empty list.
-double lastOf(const std::vector<double>& depths) {
+double checkedLastDepth(const std::vector<double>& depths) {
   double before = 0.0;
   for (const double depth : depths) {
     if (!(depth > before))
@@ -187,8 +187,8 @@ void check(const tissue::LayerStack& stack, const PressSettings& settings) {
   checkSize("the first step in mm", settings.first_step_mm, 1e-3, 5.0);
   checkSize("the longest step in mm", settings.longest_step_mm, 1e-3, 10.0);
   if (settings.depths_mm.empty()) throw Error("no depth is asked for");
-  const double before = lastOf(settings.depths_mm);
-  const double field = lastOf(settings.field_depths_mm);
+  const double before = checkedLastDepth(settings.depths_mm);
+  const double field = checkedLastDepth(settings.field_depths_mm);
   if (field > 0.0 && settings.bone_radius_mm > 0.0) throw Error("a field needs a plane bone, not a post");
   if (settings.lump) {
     check(*settings.lump, stack);
@@ -296,7 +296,7 @@ PressSolution solvePress(const tissue::LayerStack& stack, const PressSettings& s
   }
   solution.converged_to_mm = path.depth();
   solution.path = path.steps();
-  solution.work_mj = workOf(solution.path);
+  solution.work_mj = computeWork(solution.path);
   solution.seconds = secondsSince(start);
   return solution;
 }

@@ -144,7 +144,7 @@ void addUpQuad(const QuadPoints& points, const LawAt& law_at, const QuadVector& 
     if (!(answer.least_j > 0.0)) return;
     const NeoHookean law = law_at(q);
     const NeoHookean part = q < kShearPoints ? NeoHookean{law.shear, 0.0} : NeoHookean{0.0, law.volume};
-    Answer local = answerOf(part, f);
+    Answer local = evaluateLaw(part, f);
     constexpr double kMinShare = 1e-3;
     if (tangent == Tangent::convex) makeConvex(local, kMinShare * part.shear);
     answer.energy += points[q].volume * local.energy;

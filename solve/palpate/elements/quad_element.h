@@ -49,7 +49,7 @@ inline double volumeRatio(const Gradient& f) {
 }
 
 /// `f` must not be turned inside out.
-inline Answer answerOf(const NeoHookean& law, const Gradient& f) {
+inline Answer evaluateLaw(const NeoHookean& law, const Gradient& f) {
   const double plane = f[0] * f[3] - f[1] * f[2];
   const double log_volume = std::log(plane * f[4]);
   const Gradient inverse = {f[3] / plane, -f[2] / plane, -f[1] / plane, f[0] / plane, 1.0 / f[4]};  // F^-T

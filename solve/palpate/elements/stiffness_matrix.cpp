@@ -7,7 +7,7 @@ namespace palpate::elements {
 
 namespace {
 
-std::array<int, kQuadFreedoms> freedomsOf(const QuadMesh& mesh, std::size_t element) {
+std::array<int, kQuadFreedoms> elementFreedoms(const QuadMesh& mesh, std::size_t element) {
   std::array<int, kQuadFreedoms> freedoms{};
   for (std::size_t a = 0; a < kQuadNodes; ++a) {
     const auto& node = mesh.freedoms[static_cast<std::size_t>(mesh.nodes[element][a])];
@@ -22,7 +22,7 @@ std::array<int, kQuadFreedoms> freedomsOf(const QuadMesh& mesh, std::size_t elem
 StiffnessMatrix::StiffnessMatrix(const QuadMesh& mesh) : mesh_(mesh) {
   std::vector<Eigen::Triplet<double>> pattern;
   for (std::size_t element = 0; element < mesh.nodes.size(); ++element) {
-    const auto freedoms = freedomsOf(mesh, element);
+    const auto freedoms = elementFreedoms(mesh, element);
     for (const int row : freedoms) {
       for (const int column : freedoms) {
         if (column != kHeld && row >= column) pattern.emplace_back(row, column, 0.0);
@@ -36,7 +36,7 @@ StiffnessMatrix::StiffnessMatrix(const QuadMesh& mesh) : mesh_(mesh) {
 
   places_.resize(mesh.nodes.size());
   for (std::size_t element = 0; element < mesh.nodes.size(); ++element) {
-    const auto freedoms = freedomsOf(mesh, element);
+    const auto freedoms = elementFreedoms(mesh, element);
     std::size_t entry = 0;
     for (std::size_t i = 0; i < kQuadFreedoms; ++i) {
       for (std::size_t j = 0; j <= i; ++j) places_[element][entry++] = placeOf(freedoms[i], freedoms[j]);

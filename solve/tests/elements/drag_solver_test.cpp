@@ -17,7 +17,7 @@ namespace {
 
 using tissue::LayerStack;
 
-LayerStack stackOf(const nlohmann::json& layers) {
+LayerStack parseStack(const nlohmann::json& layers) {
   LayerStack stack;
   for (const auto& layer : layers) stack.layers.push_back({"", layer[0], layer[1]});
   return stack;
@@ -46,7 +46,7 @@ TEST(DragSolver, AgreesWithAnIndependentSolver) {
   for (const std::string name : {"mid", "homog"}) {
     SCOPED_TRACE(name);
     const nlohmann::json& one = golden.at(name);
-    const DragField field = solveDragField(stackOf(one.at("layers")), {});
+    const DragField field = solveDragField(parseStack(one.at("layers")), {});
     ASSERT_EQ(field.lines_mm.size(), one.at("rx").size());
     const double most = name == "homog" ? 0.015 : 0.002;  // its rows near the surface are others
     for (std::size_t i = 0; i < field.lines_mm.size(); ++i) {
@@ -108,7 +108,7 @@ TEST(DragSolver, StiffSkinCarriesADragFartherAndAgainstThePress) {
 TEST(DragSolver, SillySizesAreRefused) {
   const LayerStack stack{{{"", 20, 27}}, 0.48};
   const auto refusal = [&](const DragSettings& settings) {
-    return support::messageOf([&] { solveDragField(stack, settings); });
+    return support::thrownMessage([&] { solveDragField(stack, settings); });
   };
   EXPECT_NE(refusal({.patch_radius_mm = 0.0}).find("patch"), std::string::npos);
   EXPECT_NE(refusal({.half_width_mm = 10.0}).find("block"), std::string::npos);

@@ -69,7 +69,7 @@ TEST(LumpSolver, HasMeshLinesAtTheLump) {
 
 TEST(LumpSolver, RefusesLumpsThatDoNotLieInTheLayers) {
   const auto fault = [](const PressSettings& settings) {
-    return support::messageOf([&] { solvePress(backStack(), settings); });
+    return support::thrownMessage([&] { solvePress(backStack(), settings); });
   };
   EXPECT_EQ(fault(overLump(10.0, 31.0, 60.0)),
             "a lump from 31 to 41 mm under the skin must lie within layers of 40 mm");
@@ -89,7 +89,7 @@ TEST(PressFieldOfTheSolver, LeavesTheForcesAsTheyAreAndTellsThePattern) {
   EXPECT_FALSE(plain.table.field.has_value());
   ASSERT_TRUE(solution.table.field.has_value());
   EXPECT_EQ(solution.table.field->depths_mm, (std::vector{0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0}));
-  EXPECT_EQ(support::messageOf([&] { tissue::check(solution.table); }), "no error");
+  EXPECT_EQ(support::thrownMessage([&] { tissue::check(solution.table); }), "no error");
   ASSERT_EQ(solution.table.shapes.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_NEAR(solution.table.shapes[i].force_n, plain.table.shapes[i].force_n, 1e-4) << "only the way there differs";

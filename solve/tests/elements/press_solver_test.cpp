@@ -47,8 +47,8 @@ struct Off {
   double rms = 0.0;  ///< over the area
 };
 
-Off offOf(const std::vector<double>& radii, const std::vector<double>& values, const nlohmann::json& r,
-          const nlohmann::json& expected) {
+Off measureDeviation(const std::vector<double>& radii, const std::vector<double>& values, const nlohmann::json& r,
+                     const nlohmann::json& expected) {
   Off off;
   double squares = 0.0;
   double area = 0.0;
@@ -87,8 +87,8 @@ TEST(PressSolver, AgreesWithAnIndependentSolver) {
       const double force = cases[i].at("force_N").get<double>();
       EXPECT_NEAR(shape.force_n, force, 0.003 * force);
       EXPECT_NEAR(shape.surface_mm, cases[i].at("u0").get<double>(), 0.001 * shape.depth_mm);
-      const Off down = offOf(solution.table.radii_mm, shape.down, golden.at("r"), cases[i].at("uz"));
-      const Off outward = offOf(solution.table.radii_mm, shape.outward, golden.at("r"), cases[i].at("ur"));
+      const Off down = measureDeviation(solution.table.radii_mm, shape.down, golden.at("r"), cases[i].at("uz"));
+      const Off outward = measureDeviation(solution.table.radii_mm, shape.outward, golden.at("r"), cases[i].at("ur"));
       EXPECT_LT(down.greatest, 0.006);
       EXPECT_LT(outward.greatest, 0.006);
       EXPECT_LT(down.rms, 0.0005);
@@ -203,7 +203,7 @@ TEST(PressSolver, TheTableHasManyRadiiNearTheAxisAndOneOnIt) {
 
 TEST(PressSolver, SillyRequestsAreRefusedInWords) {
   const auto refusal = [](const LayerStack& stack, const PressSettings& settings) {
-    return support::messageOf([&] { solvePress(stack, settings); });
+    return support::thrownMessage([&] { solvePress(stack, settings); });
   };
   EXPECT_NE(refusal(back(), {.depths_mm = {5.0, 2.0}}).find("2 after 5"), std::string::npos);
   EXPECT_NE(refusal(back(), {.depths_mm = {5.0, 40.0}}).find("reaches the bone"), std::string::npos);

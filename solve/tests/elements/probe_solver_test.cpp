@@ -55,7 +55,7 @@ TEST(ProbeSolver, IsProportionalToTheModuliAndSofterOverARoundBone) {
 TEST(ProbeSolver, RefusesSizesThatMakeNoSense) {
   const LayerStack stack{{{"", 8.0, 20.0}}};
   const auto complaint = [&](const ProbeSettings& settings) {
-    return support::messageOf([&] { probeStiffness(stack, settings); });
+    return support::thrownMessage([&] { probeStiffness(stack, settings); });
   };
   EXPECT_EQ(complaint({.length_mm = 0.0}), "the probe's length (mm) is 0; it must be 2 to 200");
   EXPECT_EQ(complaint({.width_mm = std::nan("")}), "the probe's width (mm) is nan; it must be 2 to 200");

@@ -41,7 +41,7 @@ TEST(LivingTests, OfAnotherTableAreRefusedWithFileAndLine) {
   const support::TemporaryFolder folder;
   const auto complaint = [&](const std::string& text) {
     const auto file = written(folder, text);
-    return support::messageOf([&] { readLivingTests(file); });
+    return support::thrownMessage([&] { readLivingTests(file); });
   };
   const auto row = [&](const std::string& fields) { return complaint(std::string(kHeader) + fields + "\n"); };
   const std::string where = std::string(kLivingList) + ":2: ";

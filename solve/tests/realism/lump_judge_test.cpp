@@ -93,7 +93,7 @@ TEST(LumpJudge, ReadsALumpByTheKeysOfScenes) {
 
 TEST(LumpJudge, RefusesALumpThatNobodyCanPress) {
   const auto fault = [](const std::string& keys) {
-    return support::messageOf([&] { parseLumpCases(fileWithLump(keys), "s.json"); });
+    return support::thrownMessage([&] { parseLumpCases(fileWithLump(keys), "s.json"); });
   };
   for (const auto& [keys, words] : {
            std::pair{R"("half_axes_mm": [6, 6, 3], "diameter_mm": 6, "young_kpa": 9)",
@@ -113,7 +113,7 @@ TEST(LumpJudge, NamesWhatIsWrongWithAFile) {
   const support::TemporaryFolder folder;
   const auto fault = [&](const std::string& text) {
     std::ofstream(folder / "cases.json") << text;
-    return support::messageOf([&] { readLumpCases(folder / "cases.json"); });
+    return support::thrownMessage([&] { readLumpCases(folder / "cases.json"); });
   };
   EXPECT_NE(fault("[").find("is not a file of lump cases"), std::string::npos);
   EXPECT_NE(fault("{}").find("stacks"), std::string::npos);
@@ -124,11 +124,11 @@ TEST(LumpJudge, NamesWhatIsWrongWithAFile) {
 }
 
 TEST(LumpJudge, SpreadsByRank) {
-  const Spread spread = spreadOf({3.0, 1.0, 2.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0});
+  const Spread spread = computeSpread({3.0, 1.0, 2.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0});
   EXPECT_EQ(spread.p90, 9.0);
   EXPECT_EQ(spread.worst, 10.0);
   EXPECT_EQ(spread.mean, 5.5);
-  EXPECT_EQ(spreadOf({}).count, 0u);
+  EXPECT_EQ(computeSpread({}).count, 0u);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace palpate::lab {
 namespace {
 
 /// A table a stack, of the depths that the file has.
-std::map<std::string, tissue::LayeredTable> tablesOf(const FemCases& cases) {
+std::map<std::string, tissue::LayeredTable> makeTables(const FemCases& cases) {
   std::map<std::string, tissue::LayeredTable> tables;
   for (const FemCase& one : cases.cases) {
     tissue::LayeredTable& table = tables[one.name];
@@ -29,7 +29,7 @@ std::map<std::string, tissue::LayeredTable> tablesOf(const FemCases& cases) {
 TEST(Realism, TheSkinOverLayersIsThatOfFiniteElements) {
   const FemCases cases = readFemCases(support::testData() / "golden/fem_profiles.json");
   EXPECT_EQ(cases.left_out.size(), 4u) << "sticking";
-  const auto tables = tablesOf(cases);
+  const auto tables = makeTables(cases);
   for (const FemCase& one : cases.cases) {
     const auto layered =
         std::make_shared<const tissue::LayeredTissue>(std::vector{tissue::nodeOf(tables.at(one.name))});

@@ -43,7 +43,7 @@ class FitCommand : public ::testing::Test {
   CommandResult fit(const std::string& arguments) const {
     return support::runPalpate("tissue fit " + arguments, folder_.path());
   }
-  json jsonOf(const std::string& arguments) const {
+  json runForJson(const std::string& arguments) const {
     const CommandResult result = fit(arguments + " --json");
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return json::parse(result.out);
@@ -57,7 +57,7 @@ class FitCommand : public ::testing::Test {
         support::runPalpate("simulate scene.toml --seconds 0.05 --no-pictures -o out --overwrite", folder_.path());
     EXPECT_EQ(simulated.exit_code, 0) << simulated.err << keys;
   }
-  std::string errorOf(const std::string& arguments) const {
+  std::string runForError(const std::string& arguments) const {
     const CommandResult result = fit(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_EQ(result.out, "");
@@ -74,7 +74,7 @@ TEST_F(FitForce, FindsTheExponentOfANoisyPowerCurve) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const double p = 1.0 + 0.35 * seed;
     write("noisy.csv", powerRows("", 0.5, p, seed));
-    const json found = jsonOf("force noisy.csv");
+    const json found = runForJson("force noisy.csv");
     EXPECT_NEAR(found["p"].get<double>(), p, 0.05);
     EXPECT_NEAR(found["k_n_per_mm"].get<double>(), 0.5, 0.03);
     if (p < 2.2) {
@@ -95,7 +95,7 @@ TEST_F(FitForce, TellsEveryFormAndTheKeysOfAScene) {
 }
 
 TEST_F(FitForce, WritesATableThatASceneReads) {
-  const json found = jsonOf("force one.csv --form measured -o law.csv");
+  const json found = runForJson("force one.csv --form measured -o law.csv");
   EXPECT_EQ(found["written"].at(0), "law.csv");
   EXPECT_NE(found["scene"].get<std::string>().find("force_table = \"law.csv\""), std::string::npos);
   const tissue::ForceTable table = tissue::readForceTable(folder_ / "law.csv");
@@ -108,7 +108,7 @@ TEST_F(FitForce, WritesATableThatASceneReads) {
 }
 
 TEST_F(FitForce, FitsEveryPlaceAndAllTogether) {
-  const json found = jsonOf("force places.csv");
+  const json found = runForJson("force places.csv");
   ASSERT_EQ(found["curves"].size(), 3u);
   EXPECT_EQ(found["curves"][1]["curve"], "L3");
   const json& power = found["curves"][1]["fits"][1];
@@ -116,7 +116,7 @@ TEST_F(FitForce, FitsEveryPlaceAndAllTogether) {
   EXPECT_NEAR(power["numbers"]["exponent"]["value"].get<double>(), 1.8, 0.05);
   EXPECT_NEAR(found["spread"]["exponent"]["median"].get<double>(), 1.7, 0.05);
   EXPECT_NEAR(found["p"].get<double>(), 1.67, 0.06) << "one shape for all";
-  const json alone = jsonOf("force places.csv --curve L3");
+  const json alone = runForJson("force places.csv --curve L3");
   EXPECT_EQ(alone["curves"].size(), 1u);
   EXPECT_NEAR(alone["p"].get<double>(), 1.8, 0.05);
 }
@@ -132,13 +132,15 @@ TEST_F(FitForce, DrawsRowsLawsAndMisses) {
 
 TEST_F(FitForce, NamesTheLineOfWhatItCannotRead) {
   write("typo.csv", "depth_mm,force_n\n1,2\n2,three\n");
-  EXPECT_EQ(errorOf("force typo.csv"), "palpate: typo.csv:3: force_n is not a number: 'three'\n");
+  EXPECT_EQ(runForError("force typo.csv"), "palpate: typo.csv:3: force_n is not a number: 'three'\n");
   write("short.csv", "1,2\n2,3\n");
-  EXPECT_EQ(errorOf("force short.csv"), "palpate: short.csv: the curve has 2 depths below the skin; 4 are needed\n");
-  EXPECT_EQ(errorOf("force places.csv --curve L4"), "palpate: places.csv: unknown curve 'L4'; did you mean 'L3'?\n");
-  EXPECT_EQ(errorOf("force one.csv --plot fit.jpg"), "palpate: fit.jpg: a plot is written as .png, .svg\n");
-  EXPECT_NE(errorOf("force one.csv --form cubik").find("did you mean 'cubic'?"), std::string::npos);
-  EXPECT_NE(errorOf("force none.csv").find("none.csv"), std::string::npos);
+  EXPECT_EQ(runForError("force short.csv"),
+            "palpate: short.csv: the curve has 2 depths below the skin; 4 are needed\n");
+  EXPECT_EQ(runForError("force places.csv --curve L4"),
+            "palpate: places.csv: unknown curve 'L4'; did you mean 'L3'?\n");
+  EXPECT_EQ(runForError("force one.csv --plot fit.jpg"), "palpate: fit.jpg: a plot is written as .png, .svg\n");
+  EXPECT_NE(runForError("force one.csv --form cubik").find("did you mean 'cubic'?"), std::string::npos);
+  EXPECT_NE(runForError("force none.csv").find("none.csv"), std::string::npos);
 }
 
 class FitProfile : public FitCommand {
@@ -165,7 +167,8 @@ class FitProfile : public FitCommand {
 
 TEST_F(FitProfile, WritesATableOfLayeredTissue) {
   write("force.csv", "depth_mm,force_n\n" + powerRows("", 0.4, 1.6, 1, 0.0));
-  const json found = jsonOf("profile --data skin.csv --forces force.csv --layer skin:2:150 --layer fat:8:10 -o t.json");
+  const json found =
+      runForJson("profile --data skin.csv --forces force.csv --layer skin:2:150 --layer fat:8:10 -o t.json");
   EXPECT_LT(found["rms_worst"].get<double>(), 0.002);
   EXPECT_EQ(found["written"].at(0), "t.json");
   const json table = json::parse(contentOf(folder_ / "t.json"));
@@ -181,7 +184,7 @@ TEST_F(FitProfile, WritesATableOfLayeredTissue) {
 
 TEST_F(FitProfile, SeesThroughNoise) {
   write("noisy.csv", places(9.0, 0.1));
-  const json found = jsonOf("profile noisy.csv -o t.json");
+  const json found = runForJson("profile noisy.csv -o t.json");
   EXPECT_EQ(found["chosen"], "two_gaussians");
   EXPECT_FALSE(found["depths"][1]["fits"][2]["surface_measured"].get<bool>());
   const json numbers = found["depths"][1]["fits"][2]["numbers"];
@@ -213,12 +216,12 @@ TEST_F(FitProfile, WritesATableThatASceneTakesForItsLayers) {
 
 TEST_F(FitProfile, NamesTheLineOfWhatItCannotRead) {
   write("typo.csv", "depth_mm,r_mm,down_mm\n1,0,x\n");
-  EXPECT_EQ(errorOf("profile typo.csv"), "palpate: typo.csv:2: down_mm is not a number: 'x'\n");
+  EXPECT_EQ(runForError("profile typo.csv"), "palpate: typo.csv:2: down_mm is not a number: 'x'\n");
   write("short.csv", "depth_mm,r_mm,down_mm\n1,0,1\n1,5,0\n");
-  EXPECT_EQ(errorOf("profile short.csv"), "palpate: short.csv: depth 1 mm: 2 radii; 6 are needed\n");
-  EXPECT_NE(errorOf("profile skin.csv --layer skin").find("a layer is NAME:THICKNESS:MODULUS"), std::string::npos);
+  EXPECT_EQ(runForError("profile short.csv"), "palpate: short.csv: depth 1 mm: 2 radii; 6 are needed\n");
+  EXPECT_NE(runForError("profile skin.csv --layer skin").find("a layer is NAME:THICKNESS:MODULUS"), std::string::npos);
   write("two.csv", "curve,depth_mm,force_n\na,1,1\nb,1,1\n");
-  EXPECT_EQ(errorOf("profile skin.csv --forces two.csv"),
+  EXPECT_EQ(runForError("profile skin.csv --forces two.csv"),
             "palpate: two.csv: holds several curves; a table of tissue has one\n");
 }
 

@@ -53,14 +53,14 @@ class TissueCommand : public ::testing::Test {
   CommandResult tissue(const std::string& arguments) const {
     return support::runPalpate("tissue " + arguments, folder_.path());
   }
-  std::string errorOf(const std::string& arguments) const {
+  std::string runForError(const std::string& arguments) const {
     const CommandResult result = tissue(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_EQ(result.out, "");
     return result.err;
   }
   /// Every text of the picture on a line of its own.
-  std::string textsOf(const std::string& arguments) const {
+  std::string readSvgTexts(const std::string& arguments) const {
     const CommandResult result = tissue(arguments + " -o shown.svg");
     EXPECT_EQ(result.exit_code, 0) << result.err;
     const std::string svg = contentOf(folder_ / "shown.svg");
@@ -97,7 +97,7 @@ TEST_F(TissueCommand, ShowsThemForPeople) {
 }
 
 TEST_F(TissueCommand, DrawsATableByDepth) {
-  const std::string texts = textsOf("show thin.json");
+  const std::string texts = readSvgTexts("show thin.json");
   for (const char* text : {"thin", "2.5 mm", "5 mm", "10 mm", "force (N)", "height of the skin (mm)",
                            "away from the axis (mm)", "radius of half the depth (mm)", "depth (mm)"}) {
     EXPECT_NE(texts.find("\n" + std::string(text) + "\n"), std::string::npos) << text << texts;
@@ -107,24 +107,24 @@ TEST_F(TissueCommand, DrawsATableByDepth) {
 }
 
 TEST_F(TissueCommand, ComparesStacksAtTheDepthThatTheyShare) {
-  const std::string texts = textsOf("show thin.json fat.json --title Fat");
+  const std::string texts = readSvgTexts("show thin.json fat.json --title Fat");
   EXPECT_NE(texts.find("The skin at 8 mm."), std::string::npos) << texts;
   EXPECT_NE(texts.find("fat: 2 x 150 + 20 x 10."), std::string::npos);
   EXPECT_NE(texts.find("\nFat\n"), std::string::npos);
   EXPECT_EQ(texts.find("\n2.5 mm\n"), std::string::npos) << "depths are no series here";
-  EXPECT_NE(textsOf("show thin.json fat.json --depth 3").find("The skin at 3 mm."), std::string::npos);
+  EXPECT_NE(readSvgTexts("show thin.json fat.json --depth 3").find("The skin at 3 mm."), std::string::npos);
 }
 
 TEST_F(TissueCommand, NamesWhatItCannotShow) {
-  EXPECT_EQ(errorOf("show thin.json fat.json --depth 9"),
+  EXPECT_EQ(runForError("show thin.json fat.json --depth 9"),
             "palpate: fat.json: has no shape of --depth 9: it reaches from 2 to 8 mm\n");
-  EXPECT_EQ(errorOf("show thin.json -o shown.jpg"), "palpate: shown.jpg: a plot is written as .png, .svg\n");
-  EXPECT_NE(errorOf("show none.json").find("none.json"), std::string::npos);
+  EXPECT_EQ(runForError("show thin.json -o shown.jpg"), "palpate: shown.jpg: a plot is written as .png, .svg\n");
+  EXPECT_NE(runForError("show none.json").find("none.json"), std::string::npos);
   json broken = tableOf(4.0, 10.0);
   broken["shapes"][1].erase("down");
   write("broken.json", broken);
-  EXPECT_EQ(errorOf("show broken.json"), "palpate: broken.json:1: has no \"down\"\n");
-  EXPECT_NE(errorOf("show").find("TABLE"), std::string::npos);
+  EXPECT_EQ(runForError("show broken.json"), "palpate: broken.json:1: has no \"down\"\n");
+  EXPECT_NE(runForError("show").find("TABLE"), std::string::npos);
 }
 
 TEST_F(TissueCommand, ListsModuliWithTheirSources) {

@@ -25,7 +25,7 @@ constexpr auto kSettles =
     std::chrono::milliseconds(150);  // a port that is taken, a key that cannot be read: it ends at once
 constexpr std::uint64_t kMaxLogBytes = 1ULL << 30U;
 
-std::string lastLineOf(const fs::path& log) {
+std::string readLastLine(const fs::path& log) {
   const std::string text = readFile(log, kMaxLogBytes);
   const auto lines = split(trimmed(text), '\n');
   return std::string(lines.back());
@@ -76,7 +76,7 @@ void BrokerProcess::start() {
   }
   id_ = child;
   std::this_thread::sleep_for(kSettles);
-  if (!running()) throw Error::inFile(log, fmt::format("mosquitto ended at once: {}", lastLineOf(log_)));
+  if (!running()) throw Error::inFile(log, fmt::format("mosquitto ended at once: {}", readLastLine(log_)));
 }
 
 bool BrokerProcess::running() {

@@ -49,12 +49,12 @@ std::string textIn(BIO* bio) {
   const long size = BIO_get_mem_data(bio, &bytes);
   return {bytes, static_cast<std::size_t>(size)};
 }
-std::string pemOf(X509* certificate) {
+std::string toPem(X509* certificate) {
   const BioHandle bio(BIO_new(BIO_s_mem()));
   mustBe(bio && PEM_write_bio_X509(bio.get(), certificate) == 1, "writing it");
   return textIn(bio.get());
 }
-std::string pemOf(EVP_PKEY* key) {
+std::string toPem(EVP_PKEY* key) {
   const BioHandle bio(BIO_new(BIO_s_mem()));
   mustBe(bio && PEM_write_bio_PrivateKey(bio.get(), key, nullptr, nullptr, 0, nullptr, nullptr) == 1,
          "writing its key");
@@ -114,7 +114,7 @@ class Draft {
     X509* x = certificate_.get();
     X509_set_issuer_name(x, X509_get_subject_name(issuer == nullptr ? x : issuer));
     mustBe(X509_sign(x, issuer_key == nullptr ? key_.get() : issuer_key, EVP_sha256()) > 0, "signing it");
-    return {pemOf(x), pemOf(key_.get())};
+    return {toPem(x), toPem(key_.get())};
   }
 
  private:
@@ -162,7 +162,7 @@ Certified makeMemberCertificate(const Certified& authority, const std::string& n
   return issued(authority, name, "clientAuth", {}, days);
 }
 
-std::vector<std::string> hostsOf(const std::string& certificate) {
+std::vector<std::string> certificateHosts(const std::string& certificate) {
   const CertificateHandle read = certificateFrom(certificate);
   const AltNamesHandle names(
       static_cast<GENERAL_NAMES*>(X509_get_ext_d2i(read.get(), NID_subject_alt_name, nullptr, nullptr)));
@@ -210,7 +210,7 @@ std::string makeRevocationList(const Certified& authority, const std::vector<std
   return textIn(bio.get());
 }
 
-std::string fingerprintOf(const std::string& certificate) {
+std::string certificateFingerprint(const std::string& certificate) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int size = 0;
   mustBe(X509_digest(certificateFrom(certificate).get(), EVP_sha256(), digest.data(), &size) == 1, "hashing it");

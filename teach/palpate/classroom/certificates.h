@@ -30,14 +30,14 @@ Certified makeServerCertificate(const Certified& authority, const std::vector<st
 /// Makes the certificate of a client; `name` is what the broker's access list knows it by.
 Certified makeMemberCertificate(const Certified& authority, const std::string& name, int days = kMemberDays);
 /// The names and addresses of a broker's certificate, in order.
-std::vector<std::string> hostsOf(const std::string& certificate);
+std::vector<std::string> certificateHosts(const std::string& certificate);
 
 /// The certificates that a broker must refuse, as of now and for as long as the authority lasts (PEM). A new list
 /// replaces the one before.
 std::string makeRevocationList(const Certified& authority, const std::vector<std::string>& certificates);
 
 /// SHA-256 of the certificate itself, hex.
-std::string fingerprintOf(const std::string& certificate);
+std::string certificateFingerprint(const std::string& certificate);
 /// Days until it expires; negative once it has.
 int daysLeft(const std::string& certificate);
 

@@ -44,7 +44,7 @@ std::string_view wordsOf(Need need) {
 
 ClassBoard::ClassBoard(std::string class_id, const BoardRules& rules) : class_id_(std::move(class_id)), rules_(rules) {}
 
-void ClassBoard::takeLive(Seen& seen, const LiveSample& live, double now_s) const {
+void ClassBoard::applyLive(StationRecord& seen, const LiveSample& live, double now_s) const {
   seen.live = live;
   seen.live_s = now_s;
   if (live.force_n > kTouchN) {
@@ -56,7 +56,7 @@ void ClassBoard::takeLive(Seen& seen, const LiveSample& live, double now_s) cons
   while (now_s - seen.forces.front().s > kForcesKeptS) seen.forces.pop_front();
 }
 
-void ClassBoard::takeState(Seen& seen, const std::optional<StationState>& state, double now_s) {
+void ClassBoard::applyState(StationRecord& seen, const std::optional<StationState>& state, double now_s) {
   const bool same_trial = seen.state && state && seen.state->session == state->session &&
                           seen.state->trial == state->trial && seen.state->screen == state->screen;
   if (!same_trial) {
@@ -67,7 +67,7 @@ void ClassBoard::takeState(Seen& seen, const std::optional<StationState>& state,
   seen.state = state;
 }
 
-bool ClassBoard::takeRow(Seen& seen, std::string_view kind, std::string_view payload) {
+bool ClassBoard::applyRow(StationRecord& seen, std::string_view kind, std::string_view payload) {
   const auto message = parseRowMessage(payload);
   if (!message) return false;
   try {
@@ -90,15 +90,15 @@ bool ClassBoard::takeRow(Seen& seen, std::string_view kind, std::string_view pay
   return true;
 }
 
-bool ClassBoard::take(std::string_view topic, std::string_view payload, double now_s) {
+bool ClassBoard::acceptMessage(std::string_view topic, std::string_view payload, double now_s) {
   const auto at = parseTopic(topic);
   if (!at || at->class_id != class_id_) return false;
   if (at->kind == "ack" || at->kind == "cmd") return true;
   if (seen_.size() >= kMaxRemembered && !seen_.contains(at->station)) return false;
-  Seen& seen = seen_[at->station];
+  StationRecord& seen = seen_[at->station];
   if (at->kind == "live") {
     const auto live = parseLive(payload);
-    if (live) takeLive(seen, live->content, now_s);
+    if (live) applyLive(seen, live->content, now_s);
     return live.has_value();
   }
   if (at->kind == "status") {
@@ -112,13 +112,13 @@ bool ClassBoard::take(std::string_view topic, std::string_view payload, double n
     if (state && trainee_of_session_.size() < kMaxRemembered) {
       trainee_of_session_[state->content.session] = state->content.trainee;
     }
-    takeState(seen, state ? std::optional(state->content) : std::nullopt, now_s);
+    applyState(seen, state ? std::optional(state->content) : std::nullopt, now_s);
     return true;
   }
-  return isRowKind(at->kind) && takeRow(seen, at->kind, payload);
+  return isRowKind(at->kind) && applyRow(seen, at->kind, payload);
 }
 
-Need ClassBoard::needOf(const Seen& seen, double now_s) const {
+Need ClassBoard::assessNeed(const StationRecord& seen, double now_s) const {
   if (!seen.status.online) return Need::none;
   if (!seen.status.safety.empty() && seen.status.safety != "ok") return Need::alarm;
   if (!seen.state) return Need::none;
@@ -135,7 +135,7 @@ Need ClassBoard::needOf(const Seen& seen, double now_s) const {
   return light_before || light_now ? Need::too_light : Need::none;
 }
 
-Tile ClassBoard::tileOf(const std::string& station, const Seen& seen, double now_s) const {
+Tile ClassBoard::makeTile(const std::string& station, const StationRecord& seen, double now_s) const {
   Tile tile;
   tile.station = station;
   tile.online = seen.status.online;
@@ -149,21 +149,21 @@ Tile ClassBoard::tileOf(const std::string& station, const Seen& seen, double now
   tile.live = seen.live;
   if (seen.live_s) tile.age_s = std::max(0.0, now_s - *seen.live_s);
   tile.fresh = tile.online && tile.age_s && *tile.age_s <= rules_.stale_s;
-  tile.need = needOf(seen, now_s);
+  tile.need = assessNeed(seen, now_s);
   return tile;
 }
 
 std::vector<Tile> ClassBoard::tiles(double now_s) const {
   std::vector<Tile> all;
   all.reserve(seen_.size());
-  for (const auto& [station, seen] : seen_) all.push_back(tileOf(station, seen, now_s));
+  for (const auto& [station, seen] : seen_) all.push_back(makeTile(station, seen, now_s));
   std::ranges::stable_sort(all, {}, &Tile::need);
   return all;
 }
 
 std::optional<Tile> ClassBoard::tile(std::string_view station, double now_s) const {
   const auto found = seen_.find(station);
-  return found == seen_.end() ? std::nullopt : std::optional(tileOf(found->first, found->second, now_s));
+  return found == seen_.end() ? std::nullopt : std::optional(makeTile(found->first, found->second, now_s));
 }
 
 std::vector<ForcePoint> ClassBoard::forces(std::string_view station) const {

@@ -68,12 +68,12 @@ void writeMember(const fs::path& folder, Member member, const Certified& authori
   writeFile(folder / (stem + ".toml"), memberText(member));
 }
 
-Member memberOf(const ClassFolder& folder, Role role, const std::string& name) {
+Member makeMember(const ClassFolder& folder, Role role, const std::string& name) {
   Member member;
   member.role = role;
   member.class_id = folder.class_id;
   member.name = name;
-  if (role == Role::station) member.station_id = stationIdOf(folder.class_id, name);
+  if (role == Role::station) member.station_id = deriveStationId(folder.class_id, name);
   member.host = folder.host;
   member.port = folder.port;
   member.retention = folder.retention;
@@ -81,20 +81,20 @@ Member memberOf(const ClassFolder& folder, Role role, const std::string& name) {
   return member;
 }
 
-Certified authorityOf(const ClassFolder& folder) {
+Certified readAuthority(const ClassFolder& folder) {
   const fs::path at = folder.folder / "authority";
   return {readFile(at / "ca.crt", kMaxClassFileBytes), readFile(at / "ca.key", kMaxClassFileBytes)};
 }
 
 void writeStation(const ClassFolder& folder, const Certified& authority, const std::string& name,
                   int days = kMemberDays) {
-  writeMember(folder.station(name), memberOf(folder, Role::station, name), authority, name, days);
+  writeMember(folder.station(name), makeMember(folder, Role::station, name), authority, name, days);
 }
 
 void writeRole(const ClassFolder& folder, const Certified& authority, Role role, int number = 1,
                int days = kMemberDays) {
   const fs::path at = role == Role::instructor ? folder.instructor(number) : folder.folder / wordFor(role);
-  writeMember(at, memberOf(folder, role, std::string(wordFor(role))), authority, roleCertificateName(role, number),
+  writeMember(at, makeMember(folder, role, std::string(wordFor(role))), authority, roleCertificateName(role, number),
               days);
 }
 
@@ -115,7 +115,7 @@ std::string newTraineeKey() {
 }
 
 /// Numbers of the existing windows.
-std::vector<int> instructorsOf(const ClassFolder& folder) {
+std::vector<int> findInstructorNumbers(const ClassFolder& folder) {
   std::vector<int> numbers;
   for (int number = 1; number <= kMaxInstructors; ++number) {
     if (fs::exists(folder.instructor(number) / "instructor.toml")) numbers.push_back(number);
@@ -300,7 +300,7 @@ void removeStation(const ClassFolder& folder, const std::string& name) {
     certificates.push_back(readFile(entry.path() / "station.crt", kMaxClassFileBytes));
   }
   // First the list: whatever happens then, the station stays out.
-  writeFile(folder.revocationList(), makeRevocationList(authorityOf(folder), certificates));
+  writeFile(folder.revocationList(), makeRevocationList(readAuthority(folder), certificates));
   makeFolder(revoked);
   int number = 1;
   while (fs::exists(revoked / fmt::format("{}-{}", name, number))) ++number;
@@ -318,7 +318,7 @@ std::string addStation(const ClassFolder& folder, const std::string& name) {
     throw Error(fmt::format("station '{}': lower-case letters, digits and hyphens, at most 32", added));
   }
   if (fs::exists(folder.station(added))) throw Error::inFile(folder.station(added).string(), "is there already");
-  writeStation(folder, authorityOf(folder), added);
+  writeStation(folder, readAuthority(folder), added);
   return added;
 }
 
@@ -326,7 +326,7 @@ fs::path addInstructor(const ClassFolder& folder) {
   for (int number = 1; number <= kMaxInstructors; ++number) {
     const fs::path at = folder.instructor(number);
     if (fs::exists(at)) continue;
-    writeRole(folder, authorityOf(folder), Role::instructor, number);
+    writeRole(folder, readAuthority(folder), Role::instructor, number);
     return at;
   }
   throw Error::inFile(folder.folder.string(),
@@ -334,7 +334,7 @@ fs::path addInstructor(const ClassFolder& folder) {
 }
 
 std::vector<fs::path> renewCertificates(const ClassFolder& folder, const std::vector<std::string>& names, int days) {
-  const Certified authority = authorityOf(folder);
+  const Certified authority = readAuthority(folder);
   days = std::min(days, daysLeft(authority.certificate));
   if (days <= 0) {
     throw Error::inFile((folder.folder / "authority/ca.crt").string(),
@@ -350,9 +350,10 @@ std::vector<fs::path> renewCertificates(const ClassFolder& folder, const std::ve
     renewed.push_back(at);
   };
   renew(folder.broker(), [&] {
-    writeServer(folder, authority, hostsOf(readFile(folder.broker() / "server.crt", kMaxClassFileBytes)), days);
+    writeServer(folder, authority, certificateHosts(readFile(folder.broker() / "server.crt", kMaxClassFileBytes)),
+                days);
   });
-  for (const int number : instructorsOf(folder)) {
+  for (const int number : findInstructorNumbers(folder)) {
     renew(folder.instructor(number), [&] { writeRole(folder, authority, Role::instructor, number, days); });
   }
   renew(folder.ingest(), [&] { writeRole(folder, authority, Role::ingest, 1, days); });
@@ -372,7 +373,7 @@ std::vector<CertificateLife> certificateLives(const ClassFolder& folder) {
   };
   add("the class's authority", folder.folder / "authority/ca.crt");
   add("the broker", folder.broker() / "server.crt");
-  for (const int number : instructorsOf(folder)) {
+  for (const int number : findInstructorNumbers(folder)) {
     add(number == 1 ? std::string("the instructor") : fmt::format("instructor {}", number),
         folder.instructor(number) / "instructor.crt");
   }

@@ -26,7 +26,7 @@ std::filesystem::path fileNamed(const scene::TomlTable& table, const char* key, 
   return (folder / name).lexically_normal();
 }
 
-Role roleOf(const scene::TomlTable& table) {
+Role readRole(const scene::TomlTable& table) {
   std::string word;
   table.read("role", word);
   const auto role = valueNamed<Role>(word);
@@ -64,7 +64,7 @@ Member parseMember(std::string_view text, const std::filesystem::path& file) {
                                {"role", "class", "name", "station_id", "host", "port", "retain_days",
                                 "retain_samples_days", "authority", "certificate", "key"});
   Member member;
-  member.role = roleOf(table);
+  member.role = readRole(table);
   member.name = wordFor(member.role);
   table.read("class", member.class_id);
   table.read("name", member.name);
@@ -147,7 +147,7 @@ bool isStationName(std::string_view text) {
   return isClassWord(text) && !valueNamed<Role>(text == wordFor(Role::station) ? "" : text);
 }
 
-training::Uuid stationIdOf(std::string_view class_id, std::string_view station) {
+training::Uuid deriveStationId(std::string_view class_id, std::string_view station) {
   return uuidOfName(fmt::format("palpate station\n{}\n{}", class_id, station));
 }
 

@@ -45,7 +45,7 @@ struct Member {
   std::string host = "localhost";
   int port = kStandardPort;
   Retention retention;  ///< for a station's own records
-  /// The class's secret, from which trainees' ids are made (training::pseudonymOf); empty: an older class has none.
+  /// The class's secret, from which trainees' ids are made (training::derivePseudonym); empty: an older class has none.
   std::string trainee_key;
   // Absolute, once read.
   std::filesystem::path authority;    ///< ca.crt: who signed the broker's certificate
@@ -76,7 +76,7 @@ inline constexpr const char* kTraineeKeyFile = "trainees.key";
 std::string readTraineeKey(const std::filesystem::path& folder);
 
 /// Any computer makes the same of the same names.
-training::Uuid stationIdOf(std::string_view class_id, std::string_view station);
+training::Uuid deriveStationId(std::string_view class_id, std::string_view station);
 
 }  // namespace palpate::classroom
 

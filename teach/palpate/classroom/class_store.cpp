@@ -22,11 +22,11 @@ void ClassStore::reconnect() {
 /// Deleted rows stay in the server's files until a table is written again. Seconds, for a class. A role that does not
 /// own the tables is only warned, and nothing is done.
 void ClassStore::sweep() {
-  sql_.takeWarnings();
+  sql_.drainWarnings();
   for (const char* table : {"trainee", "session", "block", "trial", "site_visit", "event"}) {
     sql_.run(std::string("VACUUM (FULL) ") + table);
   }
-  const std::vector<std::string> warnings = sql_.takeWarnings();
+  const std::vector<std::string> warnings = sql_.drainWarnings();
   not_erased_.clear();
   if (warnings.empty()) return;
   not_erased_ = fmt::format(
@@ -34,24 +34,24 @@ void ClassStore::sweep() {
       warnings.front());
 }
 
-ClassStore::Kept ClassStore::keep(std::span<const SentRow> rows) {
-  Kept kept = keeper_.keep(rows);
-  if (keeper_.takeErased()) sweep();
+ClassStore::Kept ClassStore::save(std::span<const SentRow> rows) {
+  Kept kept = keeper_.save(rows);
+  if (keeper_.consumeErased()) sweep();
   return kept;
 }
 
-ClassStore::Kept ClassStore::keep(std::span<const AnyRow> rows) {
+ClassStore::Kept ClassStore::save(std::span<const AnyRow> rows) {
   std::vector<SentRow> sent;
   sent.reserve(rows.size());
   for (const AnyRow& row : rows) sent.push_back({row});
-  return keep(sent);
+  return save(sent);
 }
 
 bool ClassStore::erase(const training::Uuid& trainee, std::string_view actor) {
   training::SqlTransaction transaction(sql_);
   const bool there = keeper_.erase(trainee, actor);
   transaction.commit();
-  if (keeper_.takeErased()) sweep();
+  if (keeper_.consumeErased()) sweep();
   return there;
 }
 

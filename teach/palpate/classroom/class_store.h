@@ -1,10 +1,10 @@
 // The records of a class in PostgreSQL 15: what its collector keeps and its reports read. Rows come from many stations,
 // more than once, in any order; each is there once.
 //
-//   rows of stations ─ keep, one transaction ─► tables ─► keys that may be acknowledged        reports ◄─ rows()
+//   rows of stations ─ save, one transaction ─► tables ─► keys that may be acknowledged        reports ◄─ rows()
 //
 //   ClassStore store("host=/run/postgresql dbname=osteo");
-//   const auto kept = store.keep(batch);     // durable: acknowledge kept.keys
+//   const auto kept = store.save(batch);     // durable: acknowledge kept.keys
 //
 // The server may die at any moment: every call then throws DatabaseAway, and the caller connects again when it likes.
 #pragma once
@@ -33,9 +33,9 @@ class ClassStore {
 
   using Kept = KeptRows;
   /// One transaction. Throws DatabaseAway; nothing was kept then, as far as is known.
-  Kept keep(std::span<const SentRow> rows);
+  Kept save(std::span<const SentRow> rows);
   /// As the teacher, who may write all rows.
-  Kept keep(std::span<const training::AnyRow> rows);
+  Kept save(std::span<const training::AnyRow> rows);
 
   /// Deletes the trainee, everything of theirs, and whatever of theirs still arrives. Returns false if unknown.
   bool erase(const training::Uuid& trainee, std::string_view actor);

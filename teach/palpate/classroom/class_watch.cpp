@@ -20,7 +20,7 @@ double steadyS() { return std::chrono::duration<double>(Clock::now().time_since_
 
 struct ClassWatch::Impl {
   explicit Impl(const Member& instructor) : class_id(instructor.class_id), board(instructor.class_id) {
-    MqttSettings settings = linkOf(instructor);
+    MqttSettings settings = makeMqttSettings(instructor);
     settings.client_id += fmt::format("-{}", training::systemRandom()[0]);  // two windows are two clients
     for (const char* kind : {"status", "state", "session", "block"}) {
       settings.subscriptions.push_back({fmt::format("palpate/v1/{}/st/+/{}", class_id, kind), 1});
@@ -28,7 +28,7 @@ struct ClassWatch::Impl {
     settings.subscriptions.push_back({fmt::format("palpate/v1/{}/st/+/live", class_id), 0});
     mqtt.emplace(settings, MqttHandlers{[this](auto topic, auto payload) {
                                           const std::lock_guard lock(mutex);
-                                          board.take(topic, payload, steadyS());
+                                          board.acceptMessage(topic, payload, steadyS());
                                         },
                                         {}});
   }
@@ -72,7 +72,8 @@ void ClassWatch::remember(const training::Uuid& trainee, const training::BlockRo
 }
 
 bool ClassWatch::ask(const std::string& station, const Command& command) {
-  const Envelope envelope{impl_->sequence++, training::uuidOf(training::utcMs(), training::systemRandom()), steadyS()};
+  const Envelope envelope{impl_->sequence++, training::makeUuidV7(training::utcMs(), training::systemRandom()),
+                          steadyS()};
   return impl_->mqtt->publish({topicText({impl_->class_id, station, "cmd"}), commandText(envelope, command), 1, false,
                                static_cast<std::uint32_t>(kCommandExpiryS)});
 }

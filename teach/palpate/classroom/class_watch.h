@@ -18,7 +18,7 @@ namespace palpate::classroom {
 // An instructor's view of a class: messages become one tile per station, those who need help first. Knows no network,
 // no window and no clock: each message and each question carries its time.
 //
-//   topic, payload, now ─ take ─► ClassBoard ─ tiles(now) ─► window, `palpate class watch --json`
+//   topic, payload, now ─ acceptMessage ─► ClassBoard ─ tiles(now) ─► window, `palpate class watch --json`
 
 /// Reasons to walk over to a station, the most urgent first.
 enum class Need : std::uint8_t {
@@ -51,7 +51,7 @@ struct Tile {
   Need need = Need::none;
 };
 
-/// A force at a time, for the trace of one station; `s` on the clock of `take`.
+/// A force at a time, for the trace of one station; `s` on the clock of `acceptMessage`.
 struct ForcePoint {
   double s = 0.0;
   double force_n = 0.0;
@@ -69,7 +69,7 @@ class ClassBoard {
   explicit ClassBoard(std::string class_id, const BoardRules& rules = {});
 
   /// False: no message of this class, or none that is well formed.
-  bool take(std::string_view topic, std::string_view payload, double now_s);
+  bool acceptMessage(std::string_view topic, std::string_view payload, double now_s);
 
   /// Tiles in need of help first, each kind by name; the others by name.
   std::vector<Tile> tiles(double now_s) const;
@@ -87,7 +87,7 @@ class ClassBoard {
   static constexpr double kForcesKeptS = 20.0;
 
  private:
-  struct Seen {
+  struct StationRecord {
     StationStatus status;
     std::optional<StationState> state;
     double state_since_s = 0.0;  ///< when it changed
@@ -100,15 +100,15 @@ class ClassBoard {
     // From the newest block row: T so far.
     double threshold = 0.0, low = 0.0, high = 0.0;
   };
-  void takeLive(Seen& seen, const LiveSample& live, double now_s) const;
-  static void takeState(Seen& seen, const std::optional<StationState>& state, double now_s);
-  bool takeRow(Seen& seen, std::string_view kind, std::string_view payload);
-  Need needOf(const Seen& seen, double now_s) const;
-  Tile tileOf(const std::string& station, const Seen& seen, double now_s) const;
+  void applyLive(StationRecord& seen, const LiveSample& live, double now_s) const;
+  static void applyState(StationRecord& seen, const std::optional<StationState>& state, double now_s);
+  bool applyRow(StationRecord& seen, std::string_view kind, std::string_view payload);
+  Need assessNeed(const StationRecord& seen, double now_s) const;
+  Tile makeTile(const std::string& station, const StationRecord& seen, double now_s) const;
 
   std::string class_id_;
   BoardRules rules_;
-  std::map<std::string, Seen, std::less<>> seen_;
+  std::map<std::string, StationRecord, std::less<>> seen_;
   std::map<training::Uuid, training::Uuid> trainee_of_session_;
   /// Per trainee, the finished blocks by id (version 7: in order of time) and their thresholds.
   std::map<training::Uuid, std::map<training::Uuid, double>> measured_;

@@ -35,8 +35,8 @@ constexpr std::size_t kMaxBatch = 500;  // rows of one commit
 /// A batch waits so long for company: a commit costs more than its rows.
 constexpr auto kGather = std::chrono::milliseconds(20);
 /// A station is reminded of deletions that it has not confirmed.
-constexpr auto kTellsAgain = std::chrono::seconds(5);
-constexpr auto kSaysAgain = std::chrono::minutes(1);
+constexpr auto kReminderPeriod = std::chrono::seconds(5);
+constexpr auto kReportPeriod = std::chrono::minutes(1);
 constexpr std::size_t kMaxSaidLines = 100;
 constexpr std::size_t kMaxSaid = 300;
 constexpr auto kFirstRetry = std::chrono::milliseconds(200);
@@ -66,7 +66,7 @@ struct Collector::Impl {
   /// Sender by the certificate's name, which the broker has checked.
   SentRow sentBy(const std::string& station, AnyRow row, std::size_t bytes) const {
     const bool teacher = station == wordFor(Role::instructor);
-    return {std::move(row), teacher ? training::Uuid() : stationIdOf(class_id, station), station, bytes};
+    return {std::move(row), teacher ? training::Uuid() : deriveStationId(class_id, station), station, bytes};
   }
   void read(const ArrivedRow& arrived, Batch& batch) const {
     if (arrived.kind == kCheckKind) {
@@ -83,7 +83,7 @@ struct Collector::Impl {
   }
 
   Impl(const Member& member, std::unique_ptr<RowSink> rows_go) : class_id(member.class_id), sink(std::move(rows_go)) {
-    MqttSettings settings = linkOf(member);
+    MqttSettings settings = makeMqttSettings(member);
     settings.session_expiry_s = kSessionExpiryS;
     for (const char* kind :
          {"station", "class", "trainee", "protocol", "session", "block", "trial", "event", "delete", "check"}) {
@@ -149,7 +149,7 @@ struct Collector::Impl {
     for (;;) {
       const Batch batch = nextBatch();
       if (batch.empty()) return;
-      keepBatch(batch);
+      storeBatch(batch);
     }
   }
   /// Waits for rows; empty: it must end.
@@ -176,9 +176,9 @@ struct Collector::Impl {
     }
     return batch;
   }
-  void keepBatch(const Batch& batch) {
+  void storeBatch(const Batch& batch) {
     try {
-      const KeptRows kept = sink->keep(batch.rows);
+      const KeptRows kept = sink->save(batch.rows);
       retry = kFirstRetry;
       settle(batch, kept);
     } catch (const Error& error) {
@@ -216,17 +216,18 @@ struct Collector::Impl {
     };
     for (const auto& [station, rows] : keys) answer(station, ackTexts(nextEnvelope(rows.front()), rows));
     for (const auto& [by, rows] : refused) answer(by.first, refusalTexts(nextEnvelope(rows.front()), rows, by.second));
-    tellDeletions(batch, kept, answer);
+    notifyDeletions(batch, kept, answer);
     note(batch, kept, refused, trials);
   }
   Envelope nextEnvelope(const training::Uuid& id) {
     return {sequence++, id, std::chrono::duration<double>(Clock::now().time_since_epoch()).count()};
   }
   template <class Answer>
-  void tellDeletions(const Batch& batch, const KeptRows& kept, const Answer& answer) {
-    for (const auto& [station, marks] : kept.to_hear) {
+  void notifyDeletions(const Batch& batch, const KeptRows& kept, const Answer& answer) {
+    for (const auto& [station, marks] : kept.notices) {
       const auto now = Clock::now();
-      if (const auto told = told_at.find(station); told != told_at.end() && now - told->second < kTellsAgain) continue;
+      if (const auto told = told_at.find(station); told != told_at.end() && now - told->second < kReminderPeriod)
+        continue;
       told_at[station] = now;
       const auto sent = std::ranges::find(batch.rows, station, &SentRow::station);
       answer(sent->name, hearTexts(nextEnvelope(station), marks));
@@ -246,16 +247,16 @@ struct Collector::Impl {
       counts.trouble = fmt::format("{}: {} rows refused: {}", by.first, rows.size(), oneLine(by.second, kMaxSaid));
       const auto now = Clock::now();
       const auto found = said_at.find(by.first);
-      if (found != said_at.end() && now - found->second < kSaysAgain) continue;
+      if (found != said_at.end() && now - found->second < kReportPeriod) continue;
       said_at[by.first] = now;
       say(counts.trouble);
     }
-    for (const std::string& line : kept.said) say(line);
+    for (const std::string& line : kept.reports) say(line);
   }
   /// The lock is held.
   void say(std::string line) {
-    if (said.size() >= kMaxSaidLines) said.pop_front();
-    said.push_back(std::move(line));
+    if (reports.size() >= kMaxSaidLines) reports.pop_front();
+    reports.push_back(std::move(line));
   }
   /// The retained messages that name a deleted trainee.
   void forget(const training::DeletionRow& deletion, const SentRow& sent) {
@@ -284,7 +285,7 @@ struct Collector::Impl {
   std::deque<ArrivedRow> inbox;
   std::size_t inbox_bytes = 0;
   std::map<std::string, std::size_t> bytes_of;  ///< bytes in the inbox, by station
-  std::deque<std::string> said;
+  std::deque<std::string> reports;
   std::map<std::string, Clock::time_point> said_at;
   std::set<std::string> stations;
   std::map<std::string, training::Uuid> sits;
@@ -309,10 +310,10 @@ CollectorReport Collector::report() const {
   return report;
 }
 
-std::vector<std::string> Collector::takeSaid() {
+std::vector<std::string> Collector::drainReports() {
   const std::lock_guard lock(impl_->mutex);
-  std::vector<std::string> lines(impl_->said.begin(), impl_->said.end());
-  impl_->said.clear();
+  std::vector<std::string> lines(impl_->reports.begin(), impl_->reports.end());
+  impl_->reports.clear();
   return lines;
 }
 

@@ -2,7 +2,7 @@
 // acknowledged when they are there. It may be killed at any moment, and so may the broker and the database:
 // unacknowledged rows come again.
 //
-//   broker ─ rows ─► inbox ─ batch ─► RowSink::keep (commit) ─► ack to each station
+//   broker ─ rows ─► inbox ─ batch ─► RowSink::save (commit) ─► ack to each station
 //
 // Based on: outbox and application acknowledgement; a broker's own acknowledgement is not delivery
 // (docs/reference/class-protocol.md).
@@ -30,7 +30,7 @@ class RowSink {
  public:
   virtual ~RowSink() = default;
   /// One transaction. Throws Error when the database is away: nothing was kept then, and the next call connects again.
-  virtual KeptRows keep(std::span<const SentRow> rows) = 0;
+  virtual KeptRows save(std::span<const SentRow> rows) = 0;
   /// Why the database could not handle rows that it has deleted; empty: no trouble.
   virtual std::string trouble() const { return {}; }
 
@@ -81,7 +81,7 @@ class Collector {
   CollectorReport report() const;
   /// Returns events that a teacher should know, one line each, since the last call: refused rows, and the remains of a
   /// deletion. At most one line per station and minute.
-  std::vector<std::string> takeSaid();
+  std::vector<std::string> drainReports();
 
  private:
   struct Impl;

@@ -13,7 +13,7 @@ namespace palpate::classroom {
 namespace {
 
 void checkVersion(PostgresSql& sql, const std::string& called) {
-  const int version = training::schemaVersionOf(sql);
+  const int version = training::readSchemaVersion(sql);
   if (version == training::kSchemaVersion) return;
   throw Error::inFile(called, version == 0 ? "holds no training records"
                               : version > training::kSchemaVersion
@@ -38,7 +38,7 @@ training::Store copyOfDatabase(const std::string& address) {
   checkVersion(sql, called);
   training::Store copy = training::Store::inMemory(called);
   sql.run("BEGIN ISOLATION LEVEL REPEATABLE READ, READ ONLY");
-  copy.keepAny(training::RowTables(sql).all());
+  copy.storeAnyRows(training::RowTables(sql).all());
   sql.run("COMMIT");
   return copy;
 }

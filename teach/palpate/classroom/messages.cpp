@@ -57,7 +57,7 @@ double rounded(double value, double most, double steps) { return std::round(with
 Json enveloped(const Envelope& envelope) {
   return {{"seq", envelope.sequence}, {"id", envelope.id}, {"t", rounded(envelope.monotonic_s, 1e9, 1000.0)}};
 }
-std::string lineOf(const Json& message) { return jsonDump(message); }
+std::string toLine(const Json& message) { return jsonDump(message); }
 
 std::string shortened(const std::string& text, std::size_t most) {
   std::size_t end = std::min(text.size(), most);
@@ -159,7 +159,7 @@ class MessageReader {
 };
 
 template <class Content>
-std::optional<Message<Content>> messageOf(const MessageReader& reader, Envelope envelope, Content content) {
+std::optional<Message<Content>> makeMessage(const MessageReader& reader, Envelope envelope, Content content) {
   if (!reader.good()) return std::nullopt;
   return Message<Content>{std::move(envelope), std::move(content)};
 }
@@ -196,7 +196,7 @@ std::vector<std::string> listTexts(const Json& head, const char* name, const std
     Json message = head;
     message[name] = Json::array();
     for (std::size_t i = begin; i < end; ++i) message[name].push_back(values[i]);
-    texts.push_back(lineOf(message));
+    texts.push_back(toLine(message));
   }
   return texts;
 }
@@ -226,7 +226,7 @@ std::optional<Topic> parseTopic(std::string_view text) {
 
 bool isRowKind(std::string_view kind) { return std::ranges::find(kRowKinds, kind) != kRowKinds.end(); }
 
-StationState stateOf(const training::Session& session) {
+StationState makeStationState(const training::Session& session) {
   StationState state;
   state.session = session.plan().row.id;
   state.trainee = session.plan().row.trainee_id;
@@ -256,7 +256,7 @@ std::string statusText(const Envelope& envelope, const StationStatus& status) {
   message["app"] = shortened(status.app, 100);
   message["device"] = shortened(status.device, kMaxStatusText);
   message["safety"] = shortened(status.safety, kMaxStatusText);
-  return lineOf(message);
+  return toLine(message);
 }
 
 std::optional<Message<StationStatus>> parseStatus(std::string_view text) {
@@ -267,7 +267,7 @@ std::optional<Message<StationStatus>> parseStatus(std::string_view text) {
   status.app = reader.text("app", 100);
   status.device = reader.text("device", kMaxStatusText);
   status.safety = reader.text("safety", kMaxStatusText);
-  return messageOf(reader, std::move(envelope), std::move(status));
+  return makeMessage(reader, std::move(envelope), std::move(status));
 }
 
 std::string stateText(const Envelope& envelope, const StationState& state) {
@@ -284,7 +284,7 @@ std::string stateText(const Envelope& envelope, const StationState& state) {
   message["wrong"] = state.wrong_in_a_row;
   message["skipped"] = state.sites_skipped;
   message["force"] = rounded(state.palpate_force_n, kMaxLiveForceN, 100.0);
-  return lineOf(message);
+  return toLine(message);
 }
 
 std::optional<Message<StationState>> parseState(std::string_view text) {
@@ -309,7 +309,7 @@ std::optional<Message<StationState>> parseState(std::string_view text) {
   state.wrong_in_a_row = reader.whole("wrong", 0, kMaxTrials);
   state.sites_skipped = reader.whole("skipped", 0, kMaxSites);
   state.palpate_force_n = reader.number("force", 0.0, kMaxLiveForceN);
-  return messageOf(reader, std::move(envelope), std::move(state));
+  return makeMessage(reader, std::move(envelope), std::move(state));
 }
 
 std::string liveText(const Envelope& envelope, const LiveSample& live) {
@@ -321,7 +321,7 @@ std::string liveText(const Envelope& envelope, const LiveSample& live) {
   message["s"] = std::clamp(live.site, 0, kMaxSites);
   message["n"] = std::clamp(live.sites_pressed, 0, kMaxSites);
   message["ph"] = screenWord(live.phase);
-  return lineOf(message);
+  return toLine(message);
 }
 
 std::optional<Message<LiveSample>> parseLive(std::string_view text) {
@@ -341,11 +341,11 @@ std::optional<Message<LiveSample>> parseLive(std::string_view text) {
   live.site = reader.whole("s", 0, kMaxSites);
   live.sites_pressed = reader.whole("n", 0, kMaxSites);
   live.phase = reader.screen("ph");
-  return messageOf(reader, std::move(envelope), live);
+  return makeMessage(reader, std::move(envelope), live);
 }
 
 std::string rowText(const Envelope& envelope, const std::string& body) {
-  std::string head = lineOf(enveloped(envelope));
+  std::string head = toLine(enveloped(envelope));
   head.pop_back();
   if (body.size() <= kMaxPlainRow) return head + ",\"row\":" + body + "}";
   return head + ",\"z\":\"" + packed(body) + "\"}";
@@ -360,7 +360,7 @@ std::optional<RowMessage> parseRowMessage(std::string_view text) {
     message.body = std::move(*row);
   } else if (const Json* row = reader.member("row"); row != nullptr) {
     if (!row->is_object()) return std::nullopt;
-    message.body = lineOf(*row);
+    message.body = toLine(*row);
   }
   return reader.good() ? std::optional(std::move(message)) : std::nullopt;
 }
@@ -369,7 +369,7 @@ std::string commandText(const Envelope& envelope, const Command& command) {
   Json message = enveloped(envelope);
   message["do"] = wordFor(command.kind);
   message["text"] = shortened(command.text, kMaxCommandText);
-  return lineOf(message);
+  return toLine(message);
 }
 
 std::optional<Message<Command>> parseCommand(std::string_view text) {
@@ -378,7 +378,7 @@ std::optional<Message<Command>> parseCommand(std::string_view text) {
   Command command;
   command.kind = reader.word<CommandKind>("do");
   command.text = reader.text("text", kMaxCommandText);
-  return messageOf(reader, std::move(envelope), std::move(command));
+  return makeMessage(reader, std::move(envelope), std::move(command));
 }
 
 std::vector<std::string> ackTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys) {

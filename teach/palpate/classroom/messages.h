@@ -76,7 +76,7 @@ struct StationState {
   friend bool operator==(const StationState&, const StationState&) = default;
 };
 /// Fills in the state from a session.
-StationState stateOf(const training::Session& session);
+StationState makeStationState(const training::Session& session);
 
 /// The finger that presses hardest, ten times a second.
 struct LiveSample {

@@ -44,7 +44,7 @@ void startLibrary() {
 }
 
 /// Whether a server answers there. The library's own attempt would block the thread for minutes where none does.
-bool somebodyAnswers(const std::string& host, int port) {
+bool isServerReachable(const std::string& host, int port) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
@@ -67,7 +67,7 @@ bool somebodyAnswers(const std::string& host, int port) {
   return answers;
 }
 
-std::string reasonOf(int code) {
+std::string explainMqttError(int code) {
   if (code == MOSQ_ERR_TLS) return "the broker's certificate is not of this class, or it does not accept this one";
   return mosquitto_strerror(code);
 }
@@ -186,7 +186,9 @@ struct MqttLink::Impl {
   void lost(int code) {
     is_connected = false;
     if (code == MQTT_RC_SESSION_TAKEN_OVER) return say(kTakenOver);  // mosquitto 2.0.11 only hangs up
-    say(code == 0 ? "the connection ended" : code >= kFirstRefusal ? mosquitto_reason_string(code) : reasonOf(code));
+    say(code == 0               ? "the connection ended"
+        : code >= kFirstRefusal ? mosquitto_reason_string(code)
+                                : explainMqttError(code));
   }
   void say(const std::string& what) {
     const std::lock_guard lock(mutex);
@@ -194,7 +196,7 @@ struct MqttLink::Impl {
   }
 
   int connectNow() {
-    if (!somebodyAnswers(settings.host, settings.port)) {
+    if (!isServerReachable(settings.host, settings.port)) {
       say(fmt::format("no broker answers at {}:{}", settings.host, settings.port));
       return MOSQ_ERR_ERRNO;
     }
@@ -203,7 +205,7 @@ struct MqttLink::Impl {
     properties.add(MQTT_PROP_MAXIMUM_PACKET_SIZE, kMaxPacket);
     const int code = mosquitto_connect_bind_v5(client, settings.host.c_str(), settings.port, settings.keep_alive_s,
                                                nullptr, properties.list());
-    if (code != MOSQ_ERR_SUCCESS) say(reasonOf(code));
+    if (code != MOSQ_ERR_SUCCESS) say(explainMqttError(code));
     return code;
   }
 
@@ -219,7 +221,7 @@ struct MqttLink::Impl {
         return say(kTakenOver);
       }
     }
-    if (code != MOSQ_ERR_SUCCESS && (was_connected || code == MOSQ_ERR_TLS)) say(reasonOf(code));
+    if (code != MOSQ_ERR_SUCCESS && (was_connected || code == MOSQ_ERR_TLS)) say(explainMqttError(code));
   }
   bool isEnding() {
     const std::lock_guard lock(mutex);
@@ -251,7 +253,7 @@ struct MqttLink::Impl {
   std::thread thread;
 };
 
-MqttSettings linkOf(const Member& member) {
+MqttSettings makeMqttSettings(const Member& member) {
   MqttSettings settings;
   settings.host = member.host;
   settings.port = member.port;

@@ -46,7 +46,7 @@ struct MqttSettings {
   std::vector<Subscription> subscriptions;
 };
 /// Connects as this member, without subscriptions.
-MqttSettings linkOf(const Member& member);
+MqttSettings makeMqttSettings(const Member& member);
 
 /// Called in the link's thread; they may publish, and must be quick.
 struct MqttHandlers {

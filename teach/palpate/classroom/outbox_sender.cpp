@@ -36,7 +36,7 @@ bool OutboxSender::due(const training::Uuid& row, Time now) {
   return true;
 }
 
-bool OutboxSender::takeToken(Time now) {
+bool OutboxSender::consumeToken(Time now) {
   tokens_ = std::min(kBurst, tokens_ + pace_.most_per_s * secondsFrom(filled_, now));
   filled_ = now;
   if (tokens_ < 1.0) return false;
@@ -50,7 +50,7 @@ void CommandQueue::put(const Command& command, Time now) {
   queue_.push_back({command, now});
 }
 
-std::optional<Command> CommandQueue::take(Time now) {
+std::optional<Command> CommandQueue::popCommand(Time now) {
   const std::lock_guard lock(mutex_);
   while (!queue_.empty()) {
     const Waiting oldest = std::move(queue_.front());

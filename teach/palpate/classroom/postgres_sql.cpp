@@ -32,7 +32,7 @@ constexpr Oid kFloat8Oid = 701;
 constexpr std::size_t kMaxQuoted = 60;
 
 /// The server's words in one line, without its "ERROR:  ".
-std::string oneLineOf(const char* message) {
+std::string formatServerMessage(const char* message) {
   std::string words = message == nullptr ? "" : message;
   words = words.substr(0, words.find('\n'));
   for (const std::string_view prefix : {"ERROR:  ", "FATAL:  ", "WARNING:  "}) {
@@ -58,7 +58,7 @@ SqlValue numberOf(std::string_view text) {
   return number;
 }
 
-SqlValue cellOf(const PGresult* result, int row, int column) {
+SqlValue readCell(const PGresult* result, int row, int column) {
   if (::PQgetisnull(result, row, column) != 0) return std::monostate{};
   return postgresValue(::PQftype(result, column), {::PQgetvalue(result, row, column),
                                                    static_cast<std::size_t>(::PQgetlength(result, row, column))});
@@ -68,7 +68,7 @@ void noteWarning(void* warnings, const char* message) {
   constexpr std::size_t kMaxWarnings = 100;
   auto& list = *static_cast<std::vector<std::string>*>(warnings);
   if (list.size() >= kMaxWarnings) list.erase(list.begin());
-  list.push_back(oneLineOf(message));
+  list.push_back(formatServerMessage(message));
 }
 
 }  // namespace
@@ -112,7 +112,7 @@ void PostgresSql::Clear::operator()(pg_result* result) const { ::PQclear(result)
 
 PostgresSql::PostgresSql(std::string connection) : settings_(std::move(connection)) { refusePassword(settings_); }
 
-std::vector<std::string> PostgresSql::takeWarnings() { return std::exchange(warnings_, {}); }
+std::vector<std::string> PostgresSql::drainWarnings() { return std::exchange(warnings_, {}); }
 
 bool PostgresSql::connected() const { return connection_ != nullptr && ::PQstatus(connection_.get()) == CONNECTION_OK; }
 
@@ -124,7 +124,7 @@ void PostgresSql::connect() {
   const char* const values[] = {kConnectTimeoutS, "palpate", settings_.c_str(), "UTF8", nullptr};
   connection_.reset(::PQconnectdbParams(names, values, 1));
   if (!connected()) {
-    const std::string words = oneLineOf(connection_ ? ::PQerrorMessage(connection_.get()) : nullptr);
+    const std::string words = formatServerMessage(connection_ ? ::PQerrorMessage(connection_.get()) : nullptr);
     connection_.reset();
     throw DatabaseAway(fmt::format("the class's database: {}", words));
   }
@@ -136,7 +136,7 @@ PostgresSql::Result PostgresSql::checked(pg_result* raw) {
   Result result(raw);
   const ExecStatusType status = ::PQresultStatus(raw);
   if (status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK) return result;
-  const std::string words = oneLineOf(::PQerrorMessage(connection_.get()));
+  const std::string words = formatServerMessage(::PQerrorMessage(connection_.get()));
   const char* const code = raw == nullptr ? nullptr : ::PQresultErrorField(raw, PG_DIAG_SQLSTATE);
   // Class 57: shut down by its operator; 53: out of disk, memory, connections; 40: lost against another transaction.
   const std::string_view kind = code == nullptr ? std::string_view() : std::string_view(code).substr(0, 2);
@@ -177,7 +177,7 @@ std::vector<SqlValues> PostgresSql::ask(std::string_view sql, const SqlValues& v
   for (int row = 0; row < ::PQntuples(result.get()); ++row) {
     SqlValues& cells = rows.emplace_back();
     for (int column = 0; column < ::PQnfields(result.get()); ++column) {
-      cells.push_back(cellOf(result.get(), row, column));
+      cells.push_back(readCell(result.get(), row, column));
     }
   }
   return rows;

@@ -34,7 +34,7 @@ class PostgresSql : public training::Sql {
 
   void connect();  ///< throws DatabaseAway
   /// Warnings of the server since the last call, one line each; the newest hundred.
-  std::vector<std::string> takeWarnings();
+  std::vector<std::string> drainWarnings();
   bool connected() const;
 
   training::Dialect dialect() const override { return training::Dialect::postgresql; }

@@ -146,7 +146,7 @@ void RowKeeper::note(std::string_view actor, const std::string& mark) {
 /// Notes ids of rows whose parts will come as well.
 void RowKeeper::noteParts(const AnyRow& row) {
   if (!std::holds_alternative<SessionRow>(row) && !std::holds_alternative<BlockRow>(row)) return;
-  const std::string mark = training::deletedMark(training::idOf(row));
+  const std::string mark = training::deletedMark(training::rowId(row));
   if (marks_.contains(mark)) return;
   note(kPartsActor, mark);
   marks_[mark] = last_note_;
@@ -203,7 +203,7 @@ void RowKeeper::applyDeletion(const DeletionRow& deletion, const SentRow& sent) 
       left += fmt::format("{}{} of {}", left.empty() ? "" : ", ", found->second, oneLine(station.name));
     }
     if (left.empty()) left = "the trainee, whom another station brought";
-    said_.push_back(
+    reports_.push_back(
         fmt::format("{} deleted a trainee: {} of its sessions are gone; not deleted: {} (delete there too, or for all "
                     "stations with `palpate train results delete`)",
                     called(sent), gone, left));
@@ -270,7 +270,7 @@ void RowKeeper::claim(const Uuid& subject, const Uuid& station) {
 }
 
 /// Returns nothing if the row is its sender's own or unowned.
-std::optional<std::string> RowKeeper::notTheirs(const SentRow& sent) {
+std::optional<std::string> RowKeeper::ownershipObjection(const SentRow& sent) {
   const auto other = [&](const Uuid& owner) { return !owner.empty() && owner != sent.station; };
   const auto of_other = [&](std::string_view what, const Uuid& session) -> std::optional<std::string> {
     if (!other(ownerOfSession(session))) return std::nullopt;
@@ -312,7 +312,7 @@ void RowKeeper::rememberRefused(const SentRow& sent, const std::string& why) {
                          : std::holds_alternative<SessionRow>(sent.row) || std::holds_alternative<BlockRow>(sent.row);
   if (!has_parts) return;
   boundMap(refused_);
-  refused_[{sent.station, training::idOf(sent.row)}] = why;
+  refused_[{sent.station, training::rowId(sent.row)}] = why;
 }
 
 std::optional<std::string> RowKeeper::refusedWithWhole(const SentRow& sent) const {
@@ -338,7 +338,7 @@ std::optional<std::string> RowKeeper::objection(const SentRow& sent, std::int64_
                        ahead_ms / 60'000);
   }
   if (auto why = refusedWithWhole(sent)) return why;
-  if (auto why = notTheirs(sent)) return why;
+  if (auto why = ownershipObjection(sent)) return why;
   const bool deletes = std::holds_alternative<DeletionRow>(sent.row);
   if (!deletes && bytesOf(sent.station) + static_cast<std::int64_t>(sent.bytes) > rules_.station_bytes) {
     return fmt::format(
@@ -375,38 +375,38 @@ void RowKeeper::saveBytes() {
 // --- keeping
 
 void RowKeeper::write(const SentRow& sent) {
-  const auto keep = [&](const AnyRow& row) {
-    const bool changed = tables_.keep(row, training::RowTables::Update::when_newer);
+  const auto save = [&](const AnyRow& row) {
+    const bool changed = tables_.save(row, training::RowTables::Update::when_newer);
     if (changed && !sent.station.empty()) {
       bytesOf(sent.station) += static_cast<std::int64_t>(sent.bytes) + kRowOverheadBytes;
     }
   };
   if (const auto* of = std::get_if<ClassRow>(&sent.row); of != nullptr && !rules_.class_id.empty()) {
     // The class's folder sets its retention; for other classes nothing here does.
-    if (of->id != rules_.class_id) keep(ClassRow{.id = of->id, .label = of->id});
+    if (of->id != rules_.class_id) save(ClassRow{.id = of->id, .label = of->id});
     return;
   }
-  if (sent.station.empty()) return keep(sent.row);
+  if (sent.station.empty()) return save(sent.row);
   if (const auto* trainee = std::get_if<TraineeRow>(&sent.row)) {
     const Uuid owner = ownerOfTrainee(trainee->id);
     if (!owner.empty() && owner != sent.station) return;  // sits here too; the row stays as its own station has it
-    keep(sent.row);
+    save(sent.row);
     return claim(trainee->id, sent.station);
   }
   if (const auto* station = std::get_if<StationRow>(&sent.row)) {
-    keep(sent.row);
+    save(sent.row);
     if (!isNamedStation(station->id)) claim(station->id, sent.station);
     return;
   }
-  keep(sent.row);
+  save(sent.row);
 }
 
-RowKeeper::Verdict RowKeeper::keepOne(const SentRow& sent, std::int64_t now_ms) {
+RowKeeper::Verdict RowKeeper::storeOne(const SentRow& sent, std::int64_t now_ms) {
   if (auto why = objection(sent, now_ms)) {
     rememberRefused(sent, *why);
     return {RowFate::refused, std::move(*why)};
   }
-  if (!refused_.empty()) refused_.erase({sent.station, training::idOf(sent.row)});
+  if (!refused_.empty()) refused_.erase({sent.station, training::rowId(sent.row)});
   if (const auto* deletion = std::get_if<DeletionRow>(&sent.row)) {
     applyDeletion(*deletion, sent);
   } else if (belongsToDeleted(sent.row, sent.station)) {
@@ -417,19 +417,19 @@ RowKeeper::Verdict RowKeeper::keepOne(const SentRow& sent, std::int64_t now_ms) 
   return {};
 }
 
-KeptRows RowKeeper::keepEach(std::span<const SentRow> rows, std::span<const std::size_t> order, bool savepoints) {
+KeptRows RowKeeper::storeEach(std::span<const SentRow> rows, std::span<const std::size_t> order, bool savepoints) {
   const std::int64_t now_ms = training::utcMs();
   std::vector<Verdict> verdicts(rows.size());
   bytes_.clear();
-  said_.clear();
+  reports_.clear();
   for (const std::size_t i : order) {
     if (!savepoints) {
-      verdicts[i] = keepOne(rows[i], now_ms);
+      verdicts[i] = storeOne(rows[i], now_ms);
       continue;
     }
     tables_.sql().run("SAVEPOINT one");
     try {
-      verdicts[i] = keepOne(rows[i], now_ms);
+      verdicts[i] = storeOne(rows[i], now_ms);
       tables_.sql().run("RELEASE SAVEPOINT one");
     } catch (const training::DatabaseAway&) {
       throw;
@@ -451,26 +451,26 @@ KeptRows RowKeeper::keepEach(std::span<const SentRow> rows, std::span<const std:
     if (verdict.fate == RowFate::refused) kept.refused.push_back({std::move(key), verdict.why});
   }
   for (const SentRow& sent : rows) {
-    if (sent.station.empty() || kept.to_hear.contains(sent.station)) continue;
-    auto& marks = kept.to_hear[sent.station];
+    if (sent.station.empty() || kept.notices.contains(sent.station)) continue;
+    auto& marks = kept.notices[sent.station];
     for (const auto& [mark, number] : for_all_) {
       if (isDeletedFor(mark, sent.station)) marks.push_back(mark);
     }
   }
-  std::erase_if(kept.to_hear, [](const auto& one) { return one.second.empty(); });
+  std::erase_if(kept.notices, [](const auto& one) { return one.second.empty(); });
   saveBytes();
-  kept.said = std::exchange(said_, {});
+  kept.reports = std::exchange(reports_, {});
   return kept;
 }
 
-KeptRows RowKeeper::keep(std::span<const SentRow> rows) {
+KeptRows RowKeeper::save(std::span<const SentRow> rows) {
   const std::vector<std::size_t> order = insertionOrder(rows);
   // One of them may spoil the batch; which one is then found row by row.
   for (const bool savepoints : {false, true}) {
     try {
       training::SqlTransaction transaction(tables_.sql());
       loadTombstones();
-      KeptRows kept = keepEach(rows, order, savepoints);
+      KeptRows kept = storeEach(rows, order, savepoints);
       transaction.commit();
       return kept;
     } catch (const training::DatabaseAway&) {

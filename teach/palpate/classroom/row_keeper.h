@@ -1,7 +1,7 @@
 // Decides which rows a class keeps, the same in both of its databases: a station's own, none of a deleted trainee, none
 // that are dated after now, and no more than a station's share of the disk.
 //
-//   rows, each with who sent it ─ keep, one transaction ─► RowTables, and what became of each row
+//   rows, each with who sent it ─ save, one transaction ─► RowTables, and what became of each row
 //
 // A row belongs to the station that first sent it; what belongs to a session belongs to the session's station. A
 // deletion goes by identity and by order of arrival, never by a clock:
@@ -26,7 +26,7 @@ namespace palpate::classroom {
 /// A row and who sent it.
 struct SentRow {
   training::AnyRow row;
-  training::Uuid station = {};  ///< by its certificate (stationIdOf); empty: the teacher, who may write all rows
+  training::Uuid station = {};  ///< by its certificate (deriveStationId); empty: the teacher, who may write all rows
   std::string name = {};        ///< station's name in messages
   std::size_t bytes = 0;        ///< as it came
 };
@@ -45,9 +45,9 @@ struct KeptRows {
   std::vector<training::Uuid> keys;  ///< outbox keys of those that were kept, in order
   std::vector<NotKept> waits;
   std::vector<NotKept> refused;
-  std::vector<std::string> said;  ///< remains of a deletion, for people to read
+  std::vector<std::string> reports;  ///< remains of a deletion, for people to read
   /// Deletions to report to a station, by the station's id: training::deletedMark.
-  std::map<training::Uuid, std::vector<std::string>> to_hear;
+  std::map<training::Uuid, std::vector<std::string>> notices;
 };
 
 /// Largest difference between the clocks of a class.
@@ -66,22 +66,22 @@ class RowKeeper {
   explicit RowKeeper(training::RowTables& tables, KeeperRules rules = {}) : tables_(tables), rules_(std::move(rules)) {}
 
   /// One transaction. Throws DatabaseAway; nothing was kept then, as far as is known.
-  KeptRows keep(std::span<const SentRow> rows);
+  KeptRows save(std::span<const SentRow> rows);
 
   /// Deletes everything of the trainee, for every station, in the caller's transaction. Returns false if unknown.
   bool erase(const training::Uuid& trainee, std::string_view actor);
 
   /// Rows were deleted since the last time this was asked.
-  bool takeErased() { return std::exchange(erased_, false); }
+  bool consumeErased() { return std::exchange(erased_, false); }
 
  private:
   struct Verdict {
     RowFate fate = RowFate::kept;
     std::string why = {};
   };
-  Verdict keepOne(const SentRow& sent, std::int64_t now_ms);
+  Verdict storeOne(const SentRow& sent, std::int64_t now_ms);
   std::optional<std::string> objection(const SentRow& sent, std::int64_t now_ms);
-  std::optional<std::string> notTheirs(const SentRow& sent);
+  std::optional<std::string> ownershipObjection(const SentRow& sent);
   void rememberRefused(const SentRow& sent, const std::string& why);
   std::optional<std::string> refusedWithWhole(const SentRow& sent) const;
   bool belongsToDeleted(const training::AnyRow& row, const training::Uuid& station) const;
@@ -108,7 +108,7 @@ class RowKeeper {
   void loadTombstones();
   /// Discards what was learned, since it may have been rolled back.
   void forget();
-  KeptRows keepEach(std::span<const SentRow> rows, std::span<const std::size_t> order, bool savepoints);
+  KeptRows storeEach(std::span<const SentRow> rows, std::span<const std::size_t> order, bool savepoints);
 
   training::RowTables& tables_;
   KeeperRules rules_;
@@ -126,7 +126,7 @@ class RowKeeper {
   std::map<training::Uuid, std::int64_t> bytes_;
   /// Trainees, sessions and blocks that a station was refused: so is what belongs to them.
   std::map<std::pair<training::Uuid, training::Uuid>, std::string> refused_;
-  std::vector<std::string> said_;
+  std::vector<std::string> reports_;
   bool erased_ = false;
 };
 

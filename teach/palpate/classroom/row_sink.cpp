@@ -18,11 +18,11 @@ class FileSink : public RowSink {
       : store_(file, training::Store::Open::create_too), keeper_(store_.rows(), keeperRules(rules)) {
     store_.holdCopies();
     if (!rules.of) return;
-    store_.keep(*rules.of);
+    store_.save(*rules.of);
     store_.rememberTraineeKey(rules.of->id, rules.trainee_key);
   }
 
-  KeptRows keep(std::span<const SentRow> rows) override { return keeper_.keep(rows); }
+  KeptRows save(std::span<const SentRow> rows) override { return keeper_.save(rows); }
 
  private:
   training::Store store_;
@@ -35,15 +35,15 @@ class DatabaseSink : public RowSink {
     refusePassword(connection_);
   }
 
-  KeptRows keep(std::span<const SentRow> rows) override {
+  KeptRows save(std::span<const SentRow> rows) override {
     if (!store_) {
       store_.emplace(connection_, keeperRules(rules_));
     } else if (!store_->connected()) {
       store_->reconnect();
     }
-    if (rules_.of) store_->rows().keep(*rules_.of);
+    if (rules_.of) store_->rows().save(*rules_.of);
     rules_.of.reset();
-    return store_->keep(rows);
+    return store_->save(rows);
   }
   std::string trouble() const override { return store_ ? store_->notErased() : std::string(); }
 

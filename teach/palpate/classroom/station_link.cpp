@@ -42,7 +42,7 @@ struct StationLink::Impl {
     status.safety = "ok";
     row_count = own.waitingCount();
     own.rememberTraineeKey(member.class_id, member.trainee_key);
-    MqttSettings settings = linkOf(member);
+    MqttSettings settings = makeMqttSettings(member);
     settings.subscriptions = {{topic("ack"), 1}, {topic("cmd"), 1}};
     StationStatus gone = status;
     gone.online = false;
@@ -88,10 +88,10 @@ struct StationLink::Impl {
       } else if (auto refusal = parseRefusal(what)) {
         refusals.push_back(std::move(*refusal));
       } else if (const auto marks = parseHear(what)) {
-        to_hear.insert(to_hear.end(), marks->begin(), marks->end());
+        notices.insert(notices.end(), marks->begin(), marks->end());
       }
-      if (refusals.size() > kMaxAnswers || to_hear.size() > kMaxAnswers)
-        refusals.clear(), to_hear.clear();  // come again
+      if (refusals.size() > kMaxAnswers || notices.size() > kMaxAnswers)
+        refusals.clear(), notices.clear();  // come again
       woken.notify_all();
     }
   }
@@ -111,16 +111,16 @@ struct StationLink::Impl {
     while (!ending) {
       const auto until = live ? std::min(live_next, outbox_next) : outbox_next;
       woken.wait_until(lock, until, [&] { return ending || hasAnswers() || hasNews(live_next); });
-      const bool acks = takeAcks(lock);
+      const bool acks = processAcks(lock);
       if (Clock::now() >= refused_next) {
         lock.unlock();
         work([this] { own.tryRefusedAgain(); });
         lock.lock();
         refused_next = Clock::now() + kRefusedPeriod;
       }
-      tellState(lock);
+      publishStatus(lock);
       if (live && Clock::now() >= live_next) {
-        tellLive(lock);
+        sendLive(lock);
         live_next = Clock::now() + kLivePeriod;
       }
       if (acks || Clock::now() >= outbox_next) {
@@ -152,12 +152,12 @@ struct StationLink::Impl {
     const std::lock_guard lock(mutex);
     fault = said;
   }
-  bool hasAnswers() const { return !acknowledged.empty() || !refusals.empty() || !to_hear.empty(); }
-  bool takeAcks(std::unique_lock<std::mutex>& lock) {
+  bool hasAnswers() const { return !acknowledged.empty() || !refusals.empty() || !notices.empty(); }
+  bool processAcks(std::unique_lock<std::mutex>& lock) {
     if (!hasAnswers()) return false;
     const auto keys = std::exchange(acknowledged, {});
     const auto not_kept = std::exchange(refusals, {});
-    const auto marks = std::exchange(to_hear, {});
+    const auto marks = std::exchange(notices, {});
     lock.unlock();
     work([&] {
       own.acknowledged(keys);
@@ -170,7 +170,7 @@ struct StationLink::Impl {
     if (!not_kept.empty()) why_refused = not_kept.back().why;
     return true;
   }
-  void tellState(std::unique_lock<std::mutex>& lock) {
+  void publishStatus(std::unique_lock<std::mutex>& lock) {
     if (!mqtt->connected()) return;
     if (status_stale) {
       const std::string text = statusText(nextEnvelope(member.station_id), status);
@@ -186,7 +186,7 @@ struct StationLink::Impl {
     if (!mqtt->publish({topic("state"), text, 1, true, 0})) state_stale = true;
     lock.lock();
   }
-  void tellLive(std::unique_lock<std::mutex>& lock) {
+  void sendLive(std::unique_lock<std::mutex>& lock) {
     const std::string text = liveText(nextEnvelope(state ? state->session : member.station_id), *live);
     live.reset();
     lock.unlock();
@@ -205,7 +205,7 @@ struct StationLink::Impl {
         if (last) return;
         continue;
       }
-      if (!sender.takeToken(Clock::now())) return;
+      if (!sender.consumeToken(Clock::now())) return;
       if (!mqtt->publish({topic(entry.kind.c_str()), rowText(nextEnvelope(entry.row), entry.body), 1, false, 0}))
         return;
       ++sent_count;
@@ -245,7 +245,7 @@ struct StationLink::Impl {
   std::optional<LiveSample> live;
   std::vector<training::Uuid> acknowledged;
   std::vector<Refusal> refusals;
-  std::vector<std::string> to_hear;
+  std::vector<std::string> notices;
   std::string why_refused;
   bool disk_full = false;
   std::string fault;
@@ -288,7 +288,7 @@ void StationLink::publishSafety(const std::string& safety) {
   impl_->woken.notify_all();
 }
 
-std::optional<Command> StationLink::takeCommand() { return impl_->commands.take(Clock::now()); }
+std::optional<Command> StationLink::popCommand() { return impl_->commands.popCommand(Clock::now()); }
 bool StationLink::connected() const { return impl_->mqtt->connected(); }
 std::size_t StationLink::waiting() const { return impl_->row_count; }
 LinkCounts StationLink::counts() const {

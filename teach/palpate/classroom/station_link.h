@@ -3,15 +3,15 @@
 // continues as usual, and waiting rows go out later.
 //
 //   Store's outbox ─► rows, oldest first, resent until acknowledged ─► collector ─ ack ─► Store::acknowledged
-//   publishState, publishLive ─► instructor           instructor ─ cmd ─► takeCommand
+//   publishState, publishLive ─► instructor           instructor ─ cmd ─► popCommand
 //
 // Everything here runs in threads of its own and is never called from the servo's: the window polls and publishes at
 // its own pace. No call waits for the network or the disk.
 //
 //   StationLink link(classroom::readMember("station.toml"), store, {"palpate 0.9", "mouse"});
-//   link.publishState(stateOf(session));              // whenever; goes out when it differs
+//   link.publishState(makeStationState(session));              // whenever; goes out when it differs
 //   link.publishLive(live);                           // every picture; goes out ten times a second
-//   while (auto command = link.takeCommand()) ...     // every picture
+//   while (auto command = link.popCommand()) ...     // every picture
 #pragma once
 
 #include <chrono>
@@ -68,7 +68,7 @@ class StationLink {
   void clearState();
   void publishLive(const LiveSample& live);
   void publishSafety(const std::string& safety);  ///< "ok", or what stopped the device
-  std::optional<Command> takeCommand();           ///< oldest first; those that have expired are never given
+  std::optional<Command> popCommand();            ///< oldest first; those that have expired are never given
 
   bool connected() const;
   std::size_t waiting() const;  ///< rows that the class does not have yet
@@ -101,7 +101,7 @@ class OutboxSender {
   /// Not sent yet, or so long ago that it is sent again.
   bool due(const training::Uuid& row, Time now);
   /// A share of the rate that is allowed; false: wait.
-  bool takeToken(Time now);
+  bool consumeToken(Time now);
   void sent(const training::Uuid& row, Time now) { sent_[row] = now; }
   bool wasSent(const training::Uuid& row) const { return sent_.contains(row); }
   void acknowledged() { silent_since_.reset(); }
@@ -126,7 +126,7 @@ class CommandQueue {
   using Time = Clock::time_point;
   void put(const Command& command, Time now);
   /// The oldest that has not expired.
-  std::optional<Command> take(Time now);
+  std::optional<Command> popCommand(Time now);
 
   static constexpr std::size_t kMax = 32;
 

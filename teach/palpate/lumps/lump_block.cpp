@@ -45,8 +45,8 @@ double lnCue(double cue) {
 }
 
 bool foundAll(const LumpTrial& trial, const LumpTask& task) {
-  const std::vector<JudgedFinding> all = judged(trial, task);
-  const auto belongs = [](const JudgedFinding& one) { return one.lump.has_value(); };
+  const std::vector<MatchedFinding> all = judged(trial, task);
+  const auto belongs = [](const MatchedFinding& one) { return one.lump.has_value(); };
   return static_cast<std::size_t>(std::ranges::count_if(all, belongs)) == trial.hidden.size();
 }
 
@@ -67,13 +67,13 @@ std::vector<Vec2> placesApart(const std::vector<Vec2>& places, std::size_t count
 
 }  // namespace
 
-std::vector<JudgedFinding> judged(const LumpTrial& trial, const LumpTask& task) {
+std::vector<MatchedFinding> judged(const LumpTrial& trial, const LumpTask& task) {
   struct Pair {
     double distance_mm;
     std::size_t finding;
     std::size_t lump;
   };
-  std::vector<JudgedFinding> all(trial.findings.size());
+  std::vector<MatchedFinding> all(trial.findings.size());
   std::vector<Pair> pairs;
   for (std::size_t f = 0; f < all.size(); ++f) {
     if (!trial.findings[f].place_mm) continue;
@@ -151,7 +151,7 @@ bool LumpBlock::answer(int choice) {
       return true;
     case LumpQuestion::mobile:
       now.findings.back().mobile = choice;
-      now.over = !settings_.exam || now.findings.size() >= kMostFindings;
+      now.over = !settings_.exam || now.findings.size() >= kMaxFindings;
       return true;
     case LumpQuestion::place:
     case LumpQuestion::none:
@@ -322,7 +322,7 @@ CueThreshold cueThreshold(const std::vector<Sought>& sought) {
 
 }  // namespace
 
-LumpCounts countsOf(const std::vector<LumpTrial>& trials, const LumpTask& task) {
+LumpCounts countLumps(const std::vector<LumpTrial>& trials, const LumpTask& task) {
   LumpCounts counts;
   std::vector<Sought> sought;
   for (const LumpTrial& trial : trials) {
@@ -333,7 +333,7 @@ LumpCounts countsOf(const std::vector<LumpTrial>& trials, const LumpTask& task) 
     ++(there ? counts.with : counts.without);
     if (said) ++(there ? counts.said_with : counts.said_without);
     std::vector<bool> found(trial.hidden.size(), false);
-    for (const JudgedFinding& finding : judged(trial, task)) {
+    for (const MatchedFinding& finding : judged(trial, task)) {
       if (finding.lump) found[*finding.lump] = true;
       if (!finding.lump) ++counts.false_places;
     }

@@ -52,12 +52,12 @@ struct LumpTrial {
 };
 
 /// A finding with the number of its lump in LumpTrial::hidden, and the distance between them.
-struct JudgedFinding {
+struct MatchedFinding {
   std::optional<std::size_t> lump = {};
   std::optional<double> error_mm = {};  ///< to the nearest lump; nothing without lumps
 };
 /// Each lump belongs to the nearest finding within LumpTask::hitMm that belongs to no nearer lump.
-std::vector<JudgedFinding> judged(const LumpTrial& trial, const LumpTask& task);
+std::vector<MatchedFinding> judged(const LumpTrial& trial, const LumpTask& task);
 /// Everything there was found, and nothing else.
 bool isRight(const LumpTrial& trial, const LumpTask& task);
 
@@ -91,10 +91,10 @@ struct LumpCounts {
   bool passed = false;     ///< an examination's marks are met
   CueThreshold threshold;  ///< over the lumps so far; zeros without any
 };
-LumpCounts countsOf(const std::vector<LumpTrial>& trials, const LumpTask& task);
+LumpCounts countLumps(const std::vector<LumpTrial>& trials, const LumpTask& task);
 
 /// Limits the places named in one body: naming every place is not finding.
-inline constexpr std::size_t kMostFindings = 12;
+inline constexpr std::size_t kMaxFindings = 12;
 
 struct LumpBlockSettings {
   LumpTask task;
@@ -125,7 +125,7 @@ class LumpBlock {
 
   const std::vector<LumpTrial>& trials() const { return trials_; }
   const LumpBlockSettings& settings() const { return settings_; }
-  LumpCounts counts() const { return countsOf(trials_, settings_.task); }
+  LumpCounts counts() const { return countLumps(trials_, settings_.task); }
   std::string state() const;
 
  private:

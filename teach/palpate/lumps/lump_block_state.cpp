@@ -55,7 +55,7 @@ Json hiddenJson(const HiddenLump& lump) {
           {"hardness", lump.hardness}, {"mobile", lump.mobile},     {"cue", lump.cue}};
 }
 
-HiddenLump hiddenOf(const Json& json) {
+HiddenLump parseHiddenLump(const Json& json) {
   if (!json.is_object()) wrongText("hidden");
   HiddenLump lump{.place_mm = placeIn(json), .size = gradeIn(json, "size", 0)};
   lump.depth = gradeIn(json, "depth", 0);
@@ -75,7 +75,7 @@ Json findingJson(const LumpFinding& finding) {
   return json;
 }
 
-LumpFinding findingOf(const Json& json) {
+LumpFinding parseFinding(const Json& json) {
   if (!json.is_object()) wrongText("findings");
   LumpFinding finding;
   if (json.contains("x_mm")) finding.place_mm = placeIn(json);
@@ -95,11 +95,11 @@ Json trialJson(const LumpTrial& trial) {
   return json;
 }
 
-LumpTrial trialOf(const Json& json) {
+LumpTrial parseTrial(const Json& json) {
   if (!json.is_object()) wrongText("body");
   LumpTrial trial;
-  for (const Json& one : listIn(json, "hidden")) trial.hidden.push_back(hiddenOf(one));
-  for (const Json& one : listIn(json, "findings")) trial.findings.push_back(findingOf(one));
+  for (const Json& one : listIn(json, "hidden")) trial.hidden.push_back(parseHiddenLump(one));
+  for (const Json& one : listIn(json, "findings")) trial.findings.push_back(parseFinding(one));
   trial.over = truthIn(json, "over");
   trial.timed_out = truthIn(json, "timed_out");
   return trial;
@@ -107,7 +107,7 @@ LumpTrial trialOf(const Json& json) {
 
 }  // namespace
 
-LumpTrial parseLumpTrial(std::string_view text) { return trialOf(Json::tryParse(text)); }
+LumpTrial parseLumpTrial(std::string_view text) { return parseTrial(Json::tryParse(text)); }
 
 std::string lumpTrialText(const LumpTrial& trial) { return jsonDump(trialJson(trial)); }
 
@@ -118,7 +118,7 @@ LumpState parseLumpState(std::string_view text) {
   const auto seed = json.find("seed");
   if (seed == json.end() || !seed->is_number_unsigned()) wrongText("seed");
   LumpState state{.seed = seed->get<std::uint64_t>(), .exam = truthIn(json, "exam"), .trials = {}};
-  for (const Json& one : listIn(json, "bodies")) state.trials.push_back(trialOf(one));
+  for (const Json& one : listIn(json, "bodies")) state.trials.push_back(parseTrial(one));
   return state;
 }
 

@@ -20,11 +20,12 @@ constexpr std::size_t kMostTaxels = contact::kMaxTaxels * contact::kMaxTaxels;
 /// Probability below x of a standard normal.
 double phi(double x) noexcept { return 0.5 * (1.0 + elementary::erf(x / std::sqrt(2.0))); }
 
-double normalOf(const contact::FingerOutput& felt) noexcept { return felt.force.dot(felt.normal); }
+double normalForce(const contact::FingerOutput& felt) noexcept { return felt.force.dot(felt.normal); }
 
 /// The greatest rise of a taxel over itself in the press without lumps; over softer lumps the greatest fall.
-double patternOf(const contact::FingerOutput& with, const contact::FingerOutput& without, const contact::Lumps* lumps,
-                 const contact::PressureGround& ground, std::size_t taxels) noexcept {
+double computePatternChange(const contact::FingerOutput& with, const contact::FingerOutput& without,
+                            const contact::Lumps* lumps, const contact::PressureGround& ground,
+                            std::size_t taxels) noexcept {
   // Share of the greatest taxel: changes of weaker ones at the rim are taken over at least this. A tenfold change of
   // almost nothing cannot be felt.
   constexpr double kFaint = 0.1;
@@ -37,7 +38,7 @@ double patternOf(const contact::FingerOutput& with, const contact::FingerOutput&
   contact::pressureField(ground, nullptr, without, pad, std::span(beside).first(count));
   const double least = kFaint * *std::max_element(beside.begin(), beside.begin() + static_cast<std::ptrdiff_t>(count));
   if (!(least > 0.0)) return 0.0;
-  const double sign = normalOf(with) < normalOf(without) ? -1.0 : 1.0;
+  const double sign = normalForce(with) < normalForce(without) ? -1.0 : 1.0;
   double change = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     change = std::max(change, sign * (over[i] - beside[i]) / std::max(beside[i], least));
@@ -62,30 +63,31 @@ void check(const LumpObserver& observer) {
   }
 }
 
-LumpCue cueOf(const contact::FingerOutput& with, const contact::FingerOutput& without, const contact::Lumps* lumps,
-              const contact::PressureGround& ground, std::size_t taxels) noexcept {
-  const double plain_n = normalOf(without);
+LumpCue computeCue(const contact::FingerOutput& with, const contact::FingerOutput& without, const contact::Lumps* lumps,
+                   const contact::PressureGround& ground, std::size_t taxels) noexcept {
+  const double plain_n = normalForce(without);
   if (with.touch == contact::Touch::free || !(plain_n > 0.0)) return {};
-  return {.force = normalOf(with) / plain_n - 1.0, .pattern = patternOf(with, without, lumps, ground, taxels)};
+  return {.force = normalForce(with) / plain_n - 1.0,
+          .pattern = computePatternChange(with, without, lumps, ground, taxels)};
 }
 
-LumpCue cueOf(const contact::FingerOutput& felt, const contact::Lumps* lumps, const contact::PressureGround& ground,
-              std::size_t taxels) noexcept {
+LumpCue computeCue(const contact::FingerOutput& felt, const contact::Lumps* lumps,
+                   const contact::PressureGround& ground, std::size_t taxels) noexcept {
   contact::FingerOutput without = felt;
   without.force -= felt.lump_force;
   without.lump_force = Vec3::Zero();
   without.lump_share = 0.0;
-  return cueOf(felt, without, lumps, ground, taxels);
+  return computeCue(felt, without, lumps, ground, taxels);
 }
 
-double clarityOf(const LumpCue& cue, const LumpObserver& observer) noexcept {
+double computeClarity(const LumpCue& cue, const LumpObserver& observer) noexcept {
   const double force = cue.force / observer.force_weber;
   const bool feels = observer.field && observer.taxels > 0;
   const double pattern = feels ? cue.pattern / observer.pattern_weber : 0.0;
   return std::sqrt(force * force + pattern * pattern);
 }
 
-double detectionOf(double clarity, const LumpObserver& observer) noexcept {
+double detectionProbability(double clarity, const LumpObserver& observer) noexcept {
   if (!(clarity > 0.0)) return 0.0;
   return (1.0 - kInattention) * phi(elementary::log(clarity) / observer.spread);
 }
@@ -126,19 +128,19 @@ ComparedSkin::Press ComparedSkin::press(const Vec3& place, const Vec3& normal, d
   };
   both(depth_mm);
   while (depth_mm < finger_.max_depth_mm && !press.reached) {
-    before_n = normalOf(press.without);
+    before_n = normalForce(press.without);
     depth_mm += kStepMm;
     both(depth_mm);
-    press.reached = normalOf(press.without) >= force_n;
+    press.reached = normalForce(press.without) >= force_n;
   }
   if (!press.reached) return press;
-  const double rise_n = normalOf(press.without) - before_n;
-  if (rise_n > 0.0) both(depth_mm - kStepMm * (normalOf(press.without) - force_n) / rise_n);
+  const double rise_n = normalForce(press.without) - before_n;
+  if (rise_n > 0.0) both(depth_mm - kStepMm * (normalForce(press.without) - force_n) / rise_n);
   return press;
 }
 
 LumpCue ComparedSkin::cue(const Press& press, std::size_t taxels) const noexcept {
-  return cueOf(press.with, press.without, with_.lumps.get(), *ground_, taxels);
+  return computeCue(press.with, press.without, with_.lumps.get(), *ground_, taxels);
 }
 
 }  // namespace palpate::lumps

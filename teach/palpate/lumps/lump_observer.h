@@ -1,9 +1,9 @@
 // How people find lumps: how a press differs from the same press without the lumps, and how often people notice the
 // difference.
 //
-//   what a tick felt, Lumps, PressureGround ─ cueOf ─┐
-//   a place, pressed with its lumps and without ─────┴─► LumpCue ─ clarityOf ─► C ─ detectionOf ─► how often it is
-//   found
+//   what a tick felt, Lumps, PressureGround ─ computeCue ─┐
+//   a place, pressed with its lumps and without ─────┴─► LumpCue ─ computeClarity ─► C ─ detectionProbability ─► how
+//   often it is found
 //
 // C = sqrt((force / its Weber fraction)^2 + (pattern / its Weber fraction)^2), found with P = 0.98 Phi(ln C / s). s is
 // the spread of technique, attention and search, not of the senses alone. Fitted to groups of people who examined
@@ -44,18 +44,18 @@ struct LumpCue {
 
 /// The cue in one tick. The press without lumps is FingerOutput without its lump_force: no second finger is needed.
 /// Nothing for a finger that touches nothing. `taxels`: 0, or 2 to 16. No allocation; any thread.
-LumpCue cueOf(const contact::FingerOutput& felt, const contact::Lumps* lumps, const contact::PressureGround& ground,
-              std::size_t taxels) noexcept;
+LumpCue computeCue(const contact::FingerOutput& felt, const contact::Lumps* lumps,
+                   const contact::PressureGround& ground, std::size_t taxels) noexcept;
 
 /// The same of two presses that were felt, one with the lumps and one without, at one depth.
-LumpCue cueOf(const contact::FingerOutput& with, const contact::FingerOutput& without, const contact::Lumps* lumps,
-              const contact::PressureGround& ground, std::size_t taxels) noexcept;
+LumpCue computeCue(const contact::FingerOutput& with, const contact::FingerOutput& without, const contact::Lumps* lumps,
+                   const contact::PressureGround& ground, std::size_t taxels) noexcept;
 
 /// C >= 0; 1 is found half the time.
-double clarityOf(const LumpCue& cue, const LumpObserver& observer) noexcept;
+double computeClarity(const LumpCue& cue, const LumpObserver& observer) noexcept;
 
 /// P that a person of the group finds a lump this clear.
-double detectionOf(double clarity, const LumpObserver& observer) noexcept;
+double detectionProbability(double clarity, const LumpObserver& observer) noexcept;
 
 /// P of naming, of two presses, the one over the lump: d' = C.
 double twoIntervals(double clarity) noexcept;

@@ -72,14 +72,14 @@ std::vector<LumpCue> strokePast(const ComparedSkin& skin, double beside_mm, doub
   const int along = static_cast<int>(std::lround(2.0 * half_mm / kTickMm));
   for (int i = 0; i <= along; ++i) {
     to(start + Vec3(0.0, i * kTickMm, 0.0));
-    if (i % kTicksPerCue == 0) cues.push_back(cueOf(felt, skin.surface().lumps.get(), skin.ground(), taxels));
+    if (i % kTicksPerCue == 0) cues.push_back(computeCue(felt, skin.surface().lumps.get(), skin.ground(), taxels));
   }
   return cues;
 }
 
-double clearestOf(const std::vector<LumpCue>& cues, const LumpObserver& observer) noexcept {
+double maxClarity(const std::vector<LumpCue>& cues, const LumpObserver& observer) noexcept {
   double clearest = 0.0;
-  for (const LumpCue& cue : cues) clearest = std::max(clearest, clarityOf(cue, observer));
+  for (const LumpCue& cue : cues) clearest = std::max(clearest, computeClarity(cue, observer));
   return clearest;
 }
 

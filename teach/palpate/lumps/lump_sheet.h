@@ -37,6 +37,6 @@ class LumpSheet {
 /// Strokes a finger straight past the lump at this depth and lateral distance, tick by tick: returns the cue at each
 /// millimetre, from half a stroke's width before to as far behind. An observer goes by the clearest.
 std::vector<LumpCue> strokePast(const ComparedSkin& skin, double beside_mm, double depth_mm, std::size_t taxels);
-double clearestOf(const std::vector<LumpCue>& cues, const LumpObserver& observer) noexcept;
+double maxClarity(const std::vector<LumpCue>& cues, const LumpObserver& observer) noexcept;
 
 }  // namespace palpate::lumps

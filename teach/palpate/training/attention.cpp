@@ -7,7 +7,7 @@
 
 namespace palpate::training {
 
-AttentionCheck attentionOf(std::span<const Answer> answers, int choices, double threshold, double slope) {
+AttentionCheck checkAttention(std::span<const Answer> answers, int choices, double threshold, double slope) {
   AttentionCheck check;
   double sum = 0.0;
   for (const Answer& answer : answers) {

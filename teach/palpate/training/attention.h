@@ -1,7 +1,7 @@
 // Whether a trainee paid attention throughout a block, from the answers alone: misses in a row where the trainee's own
 // threshold leaves hardly any.
 //
-//   answers in order, fitted T and slope ─ attentionOf ─► AttentionCheck ─► report; a comparison that is not made
+//   answers in order, fitted T and slope ─ checkAttention ─► AttentionCheck ─► report; a comparison that is not made
 //
 // In a burst of inattention answers are guesses, whatever there is to feel, and T rises as if skill had been lost. The
 // check adds up, answer by answer, how much likelier a guess explains it than the fitted curve does (a cumulative sum
@@ -29,6 +29,6 @@ struct AttentionCheck {
 };
 
 /// `answers` in the order in which they were given; threshold and slope of the block, for `choices` places.
-AttentionCheck attentionOf(std::span<const Answer> answers, int choices, double threshold, double slope);
+AttentionCheck checkAttention(std::span<const Answer> answers, int choices, double threshold, double slope);
 
 }  // namespace palpate::training

@@ -18,7 +18,7 @@ namespace {
 /// Random streams of a seed, one per purpose, which do not disturb each other.
 enum class DrawnFor : std::uint64_t { sites = 1, easy, order };
 
-Random streamOf(std::uint64_t seed, DrawnFor what) {
+Random makeRandomStream(std::uint64_t seed, DrawnFor what) {
   Random mixed(seed ^ (static_cast<std::uint64_t>(what) * 0xd1342543de82ef95ull));
   return Random(mixed.bits());
 }
@@ -128,10 +128,10 @@ struct Block::Impl {
       : settings(wanted),
         levels(levelsAskedFor(wanted)),
         posterior(wanted.choices, wanted.prior),
-        sites(static_cast<std::size_t>(wanted.choices), streamOf(from_seed, DrawnFor::sites)),
-        independent_site(streamOf(from_seed, DrawnFor::sites)),
-        easy(wanted, streamOf(from_seed, DrawnFor::easy)),
-        order(levels.size(), streamOf(from_seed, DrawnFor::order)) {
+        sites(static_cast<std::size_t>(wanted.choices), makeRandomStream(from_seed, DrawnFor::sites)),
+        independent_site(makeRandomStream(from_seed, DrawnFor::sites)),
+        easy(wanted, makeRandomStream(from_seed, DrawnFor::easy)),
+        order(levels.size(), makeRandomStream(from_seed, DrawnFor::order)) {
     state.seed = from_seed;
     if (settings.method == Method::marginal_psi) psi.emplace(levels, posterior);
     if (settings.method == Method::two_down_one_up) staircase.emplace(levels, settings.start, twoDownOneUp(levels));

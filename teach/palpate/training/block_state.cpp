@@ -19,7 +19,7 @@ constexpr std::string_view kWhere = "state of a block";
 
 Error wrongState(const std::string& cause) { return Error::inFile(kWhere, cause); }
 
-TrialOutcome outcomeOf(const Json& row) {
+TrialOutcome parseOutcome(const Json& row) {
   if (!row.is_array() || row.size() != 4) throw wrongState("an outcome is not four numbers");
   for (const Json& number : row) {
     if (!number.is_number_integer() || number.get<std::int64_t>() < 0 || number.get<std::int64_t>() > 1000)
@@ -84,7 +84,7 @@ BlockState parseBlockState(const BlockSettings& settings, std::string_view text)
     throw wrongState("no list of outcomes");
   }
   BlockState state{.seed = seed->get<std::uint64_t>(), .outcomes = {}};
-  for (const Json& row : *outcomes) state.outcomes.push_back(outcomeOf(row));
+  for (const Json& row : *outcomes) state.outcomes.push_back(parseOutcome(row));
   return state;
 }
 

@@ -31,7 +31,7 @@ struct MeanAndVariance {
 double normalBelowGroup(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
 
 /// Shares of a normal in the cells around the places: right however narrow it is.
-std::vector<double> sharesOf(const FittedNormal& normal, const std::vector<double>& places) {
+std::vector<double> computeCellShares(const FittedNormal& normal, const std::vector<double>& places) {
   const double cell = places[1] - places[0];
   std::vector<double> shares;
   shares.reserve(places.size());
@@ -68,7 +68,7 @@ FittedNormal fitNormal(std::span<const ThresholdLikelihood> people) {
   }
   double information = 0.0;
   for (int step = 0; step < kMaxSteps; ++step) {
-    const std::vector<double> shares = sharesOf(normal, people.front().places);
+    const std::vector<double> shares = computeCellShares(normal, people.front().places);
     double mean = 0.0;
     double missing = 0.0;
     std::vector<MeanAndVariance> each;

@@ -70,7 +70,7 @@ double valueAt(const ThresholdLikelihood& likelihood, double place) {
 
 /// 2.5, 50 and 97.5 % of one quantity over all curves.
 template <class Quantity>
-CurvePoint curvePointOf(const std::vector<WeighedCurve>& curves, double session, const Quantity& quantity) {
+CurvePoint computeCurvePoint(const std::vector<WeighedCurve>& curves, double session, const Quantity& quantity) {
   std::vector<std::pair<double, double>> values;
   values.reserve(curves.size());
   double all = 0.0;
@@ -122,14 +122,15 @@ std::optional<LearningFit> fitLearning(std::span<const SessionAnswers> sessions,
   std::erase_if(curves, [&](const WeighedCurve& curve) { return curve.weight < lightest; });
 
   LearningFit fit;
-  fit.start = curvePointOf(curves, 0.0, [](const WeighedCurve& curve) { return curve.start; });
+  fit.start = computeCurvePoint(curves, 0.0, [](const WeighedCurve& curve) { return curve.start; });
   const auto last = static_cast<double>(sessions.size() - 1);
-  fit.end = curvePointOf(curves, last, [](const WeighedCurve& curve) { return curve.end; });
-  fit.pace_sessions = curvePointOf(curves, 0.0, [](const WeighedCurve& curve) { return curve.pace; }).median;
+  fit.end = computeCurvePoint(curves, last, [](const WeighedCurve& curve) { return curve.end; });
+  fit.pace_sessions = computeCurvePoint(curves, 0.0, [](const WeighedCurve& curve) { return curve.pace; }).median;
   const int places = kPlacesBetween * static_cast<int>(sessions.size() - 1);
   for (int i = 0; i <= places; ++i) {
     const double session = static_cast<double>(i) / kPlacesBetween;
-    fit.curve.push_back(curvePointOf(curves, session, [&](const WeighedCurve& curve) { return curve.at(session); }));
+    fit.curve.push_back(
+        computeCurvePoint(curves, session, [&](const WeighedCurve& curve) { return curve.at(session); }));
   }
   return fit;
 }

@@ -43,7 +43,7 @@ MarginalPsi::MarginalPsi(const std::vector<double>& levels, const Posterior& lik
   }
 }
 
-MarginalPsi::Marginals MarginalPsi::marginalsOf(const Posterior& posterior) const {
+MarginalPsi::Marginals MarginalPsi::computeMarginals(const Posterior& posterior) const {
   Marginals sums{std::vector<double>(thresholds_, 0.0), std::vector<double>(thresholds_ * slopes_, 0.0)};
   std::size_t cell = 0;
   for (std::size_t t = 0; t < thresholds_; ++t) {
@@ -68,7 +68,7 @@ double MarginalPsi::rightWith(std::size_t level, std::size_t t, const Marginals&
 }
 
 std::vector<double> MarginalPsi::information(const Posterior& posterior) const {
-  const Marginals marginals = marginalsOf(posterior);
+  const Marginals marginals = computeMarginals(posterior);
   double all = 0.0;
   double of_t = 0.0;
   for (const double w : marginals.weight) {
@@ -91,7 +91,7 @@ std::vector<double> MarginalPsi::information(const Posterior& posterior) const {
 }
 
 std::vector<double> MarginalPsi::informationAtMark(const Posterior& posterior, double mark) const {
-  const Marginals marginals = marginalsOf(posterior);
+  const Marginals marginals = computeMarginals(posterior);
   const double cells_to_mark = (std::log(mark) - posterior.lnThresholds().front()) /
                                (posterior.lnThresholds()[1] - posterior.lnThresholds().front());
   // Per T: how much of its cell lies below the mark.

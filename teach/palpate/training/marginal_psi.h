@@ -36,7 +36,7 @@ class MarginalPsi {
     std::vector<double> weight;  ///< weight of each T
     std::vector<double> left;    ///< share of a weight (T, slope) that guess and lapses leave
   };
-  Marginals marginalsOf(const Posterior& posterior) const;
+  Marginals computeMarginals(const Posterior& posterior) const;
   /// How likely this T and a right answer at this level are together.
   double rightWith(std::size_t level, std::size_t t, const Marginals& marginals) const;
 

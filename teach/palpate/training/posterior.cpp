@@ -31,7 +31,7 @@ double standardPlace(std::size_t i, std::size_t points, double reach) {
   return reach * (2.0 * static_cast<double>(i) / static_cast<double>(points - 1) - 1.0);
 }
 
-double bellOf(double x) { return std::exp(-0.5 * x * x); }
+double gaussianWeight(double x) { return std::exp(-0.5 * x * x); }
 
 /// In the order of their places: the same sum from every compiler.
 void normalise(std::vector<double>& weights) {
@@ -77,9 +77,9 @@ Posterior::Posterior(int choices, const Prior& prior)
   }
   weights_.reserve(kThresholdPoints * kSlopePoints * kLapseValues.size());
   for (std::size_t t = 0; t < kThresholdPoints; ++t) {
-    const double of_threshold = bellOf(standardPlace(t, kThresholdPoints, kThresholdReachSd));
+    const double of_threshold = gaussianWeight(standardPlace(t, kThresholdPoints, kThresholdReachSd));
     for (std::size_t s = 0; s < kSlopePoints; ++s) {
-      const double of_slope = bellOf(standardPlace(s, kSlopePoints, kSlopeReachSd));
+      const double of_slope = gaussianWeight(standardPlace(s, kSlopePoints, kSlopeReachSd));
       for (const double of_lapse : kLapseWeights) weights_.push_back(of_threshold * of_slope * of_lapse);
     }
   }
@@ -153,7 +153,7 @@ void Posterior::diffuse(double sd_ln) {
   for (std::size_t from = 0; from < ln_t_.size(); ++from) {
     double all = 0.0;  // weight that stays on the grid: at its borders nothing is lost
     for (std::size_t to = 0; to < ln_t_.size(); ++to) {
-      reached[to] = bellOf(cell * (static_cast<double>(to) - static_cast<double>(from)) / sd_ln);
+      reached[to] = gaussianWeight(cell * (static_cast<double>(to) - static_cast<double>(from)) / sd_ln);
       all += reached[to];
     }
     for (std::size_t to = 0; to < ln_t_.size(); ++to) {

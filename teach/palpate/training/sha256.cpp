@@ -41,13 +41,13 @@ std::string hexText(const Sha256Digest& digest) {
 
 }  // namespace
 
-std::array<std::uint8_t, 32> sha256Of(std::string_view bytes) {
+std::array<std::uint8_t, 32> computeSha256(std::string_view bytes) {
   RunningSha256 running;
   running.add(bytes);
   return running.end();
 }
 
-std::array<std::uint8_t, 32> hmacSha256Of(std::string_view key, std::string_view bytes) {
+std::array<std::uint8_t, 32> computeHmacSha256(std::string_view key, std::string_view bytes) {
   std::array<std::uint8_t, 32> digest{};
   if (::HMAC(::EVP_sha256(), key.data(), static_cast<int>(key.size()),
              reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data(), nullptr) == nullptr) {
@@ -56,7 +56,7 @@ std::array<std::uint8_t, 32> hmacSha256Of(std::string_view key, std::string_view
   return digest;
 }
 
-std::string sha256Hex(std::string_view bytes) { return hexText(sha256Of(bytes)); }
+std::string sha256Hex(std::string_view bytes) { return hexText(computeSha256(bytes)); }
 
 std::string sha256OfFile(const std::filesystem::path& file) {
   ByteFile bytes(file);

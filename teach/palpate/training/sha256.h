@@ -9,9 +9,9 @@
 
 namespace palpate::training {
 
-std::array<std::uint8_t, 32> sha256Of(std::string_view bytes);
+std::array<std::uint8_t, 32> computeSha256(std::string_view bytes);
 /// RFC 2104.
-std::array<std::uint8_t, 32> hmacSha256Of(std::string_view key, std::string_view bytes);
+std::array<std::uint8_t, 32> computeHmacSha256(std::string_view key, std::string_view bytes);
 /// 64 letters of lower case hex.
 std::string sha256Hex(std::string_view bytes);
 /// Hash of the file's contents, read piece by piece. Throws Error.

@@ -8,7 +8,7 @@ double stiffnessRatio(double change, ChangeMeaning meaning) {
   return meaning == ChangeMeaning::compliance ? 1.0 / (1.0 - change) : 1.0 + change;
 }
 
-double changeOf(double stiffness_ratio, ChangeMeaning meaning) {
+double changeFromRatio(double stiffness_ratio, ChangeMeaning meaning) {
   return meaning == ChangeMeaning::compliance ? 1.0 - 1.0 / stiffness_ratio : stiffness_ratio - 1.0;
 }
 

@@ -21,7 +21,7 @@ enum class ChangeMeaning : std::uint8_t {
 /// The factor on the stiffness at the centre of the place; d in (0, kMaxChange of the meaning].
 double stiffnessRatio(double change, ChangeMeaning meaning);
 /// The other way round.
-double changeOf(double stiffness_ratio, ChangeMeaning meaning);
+double changeFromRatio(double stiffness_ratio, ChangeMeaning meaning);
 
 /// The levels of the Virtual Haptic Back, falling.
 inline constexpr std::array<double, 7> kVhbLevels = {0.50, 0.40, 0.28, 0.20, 0.14, 0.10, 0.07};

@@ -21,13 +21,13 @@ std::string withCapital(std::string text) {
   return text;
 }
 
-int choicesOf(const Protocol& protocol) {
+int choiceCount(const Protocol& protocol) {
   return protocol.sites.empty() ? 12 : static_cast<int>(protocol.sites.size());
 }
 
 std::string percent(double change) { return fmt::format("{:.0f}", 100.0 * change); }
 
-std::string thresholdWords(const ThresholdSummary& threshold) {
+std::string thresholdSentence(const ThresholdSummary& threshold) {
   if (!threshold.telling()) return tr("More trials are needed to measure your smallest change.");
   return trf("Your smallest reliable change: about {} % ({}–{} %).", percent(threshold.median), percent(threshold.low),
              percent(threshold.high));
@@ -40,13 +40,13 @@ std::string comparison(const ThresholdSummary& now, const ShownThreshold& before
   return changeBetween(then, now).clear ? last : last + " " + tr("Too early to call a change.");
 }
 
-std::string verdictWords(Verdict verdict) {
+std::string verdictSentence(Verdict verdict) {
   if (verdict == Verdict::pass) return tr("Passed.");
   if (verdict == Verdict::not_yet) return tr("Not yet. Practise, then come again.");
   return tr("Too close to call. Please repeat the examination.");
 }
 
-std::string practiceWords(const BlockResult& result, SessionKind kind) {
+std::string practiceSummary(const BlockResult& result, SessionKind kind) {
   std::string words = tr("Block finished.");
   if (result.trials > 0 || result.excluded == 0) {
     words += " " + trf("{} of {} were right.", result.correct, result.trials);
@@ -63,7 +63,7 @@ std::string practiceWords(const BlockResult& result, SessionKind kind) {
 
 }  // namespace
 
-std::string numberInWords(int number) {
+std::string spellNumber(int number) {
   if (number >= 0 && static_cast<std::size_t>(number) < kNumberWords.size()) {
     return tr(kNumberWords[static_cast<std::size_t>(number)]);
   }
@@ -96,7 +96,7 @@ std::string greeting(SessionKind kind) {
 
 std::string instruction(const Protocol& protocol, SessionKind kind) {
   if (kind == SessionKind::free) return tr("Feel whatever you like. Nothing is asked.");
-  return trf("One of the {} places is stiffer. Press each, then answer.", numberInWords(choicesOf(protocol)));
+  return trf("One of the {} places is stiffer. Press each, then answer.", spellNumber(choiceCount(protocol)));
 }
 
 std::string familiarisation(const Site& stiffer, const Site& normal) {
@@ -130,7 +130,7 @@ std::string deviceCheck(bool works) {
 
 std::string breakOffered() { return tr("You may take a break: press Pause."); }
 
-std::string pausedWords() { return tr("Paused. Nothing counts until you go on."); }
+std::string pausedNotice() { return tr("Paused. Nothing counts until you go on."); }
 
 std::string goodbye(bool unfinished) {
   return unfinished ? tr("Saved. Next time you continue from here.") : tr("Saved. Thank you.");
@@ -140,16 +140,16 @@ std::string answerSaved() { return tr("Answer saved."); }
 
 std::string notPressedYet(int missing) {
   return withCapital(trnf("one place has not been pressed yet.", "{} places have not been pressed yet.",
-                          static_cast<std::size_t>(missing), numberInWords(missing)));
+                          static_cast<std::size_t>(missing), spellNumber(missing)));
 }
 
 std::string blockSummary(const BlockResult& result, SessionKind kind, const std::optional<ShownThreshold>& before) {
   switch (kind) {
     case SessionKind::practice:
     case SessionKind::mastery:
-      return practiceWords(result, kind);
+      return practiceSummary(result, kind);
     case SessionKind::exam:
-      return tr("Examination finished.") + (" " + verdictWords(result.verdict));
+      return tr("Examination finished.") + (" " + verdictSentence(result.verdict));
     case SessionKind::pre_test:
     case SessionKind::post_test:
     case SessionKind::retention:
@@ -159,7 +159,7 @@ std::string blockSummary(const BlockResult& result, SessionKind kind, const std:
     case SessionKind::lump_exam:
       return tr("Free exploration has ended.");
   }
-  const std::string words = thresholdWords(result.threshold);
+  const std::string words = thresholdSentence(result.threshold);
   return before ? words + comparison(result.threshold, *before) : words;
 }
 

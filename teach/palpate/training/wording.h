@@ -28,11 +28,11 @@ std::string wrongAnswer(const Site& site);       ///< "It was site 9, right. Fee
 std::string timeIsUp(bool feedback, const Site& site);
 std::string deviceCheck(bool works);  ///< "Touch the back once, anywhere."
 std::string breakOffered();
-std::string pausedWords();
+std::string pausedNotice();
 std::string goodbye(bool unfinished);
 std::string answerSaved();               ///< tests
 std::string notPressedYet(int missing);  ///< "Two places were not pressed yet."
 std::string blockSummary(const BlockResult& result, SessionKind kind, const std::optional<ShownThreshold>& before);
-std::string numberInWords(int number);  ///< "two"; digits above twelve
+std::string spellNumber(int number);  ///< "two"; digits above twelve
 
 }  // namespace palpate::training

@@ -15,7 +15,7 @@ namespace samples = training::samples;
 class ClassBoardTest : public testing::Test {
  protected:
   bool send(const std::string& station, const char* kind, const std::string& text, double now_s) {
-    return board_.take(topicText({"osteo-1", station, kind}), text, now_s);
+    return board_.acceptMessage(topicText({"osteo-1", station, kind}), text, now_s);
   }
   Envelope envelope() { return {++sequence_, samples::id(9, sequence_), 0.0}; }
   void online(const std::string& station, bool there = true, const std::string& safety = "ok") {
@@ -39,7 +39,7 @@ class ClassBoardTest : public testing::Test {
     state.trial = trial;
     return state;
   }
-  Need needOf(const std::string& station, double now_s) const { return board_.tile(station, now_s).value().need; }
+  Need stationNeed(const std::string& station, double now_s) const { return board_.tile(station, now_s).value().need; }
 
   ClassBoard board_{"osteo-1"};
   std::uint64_t sequence_ = 0;
@@ -75,11 +75,11 @@ TEST_F(ClassBoardTest, EachReasonForHelpIsSeen) {
   well.wrong_in_a_row = 2;
   well.palpate_force_n = 0.6;
   state("well", well, 0.0);
-  EXPECT_EQ(needOf("errors", 1.0), Need::three_errors);
-  EXPECT_EQ(needOf("skips", 1.0), Need::sites_skipped);
-  EXPECT_EQ(needOf("light", 1.0), Need::too_light);
-  EXPECT_EQ(needOf("stopped", 1.0), Need::alarm);
-  EXPECT_EQ(needOf("well", 1.0), Need::none);
+  EXPECT_EQ(stationNeed("errors", 1.0), Need::three_errors);
+  EXPECT_EQ(stationNeed("skips", 1.0), Need::sites_skipped);
+  EXPECT_EQ(stationNeed("light", 1.0), Need::too_light);
+  EXPECT_EQ(stationNeed("stopped", 1.0), Need::alarm);
+  EXPECT_EQ(stationNeed("well", 1.0), Need::none);
   std::vector<std::string> order;
   for (const Tile& tile : board_.tiles(1.0)) order.push_back(tile.station);
   EXPECT_EQ(order, (std::vector<std::string>{"stopped", "errors", "skips", "light", "well"}));
@@ -90,14 +90,14 @@ TEST_F(ClassBoardTest, WhoTouchesNothingForAMinuteIsIdle) {
   state("s01", inTrial(), 10.0);
   press("s01", 1.0, 20.0);
   press("s01", 0.0, 30.0);  // lifted
-  EXPECT_EQ(needOf("s01", 79.0), Need::none);
-  EXPECT_EQ(needOf("s01", 81.0), Need::idle);
+  EXPECT_EQ(stationNeed("s01", 79.0), Need::none);
+  EXPECT_EQ(stationNeed("s01", 81.0), Need::idle);
   state("s01", inTrial(2), 82.0);  // an answer
-  EXPECT_EQ(needOf("s01", 100.0), Need::none);
+  EXPECT_EQ(stationNeed("s01", 100.0), Need::none);
   StationState paused = inTrial(2);
   paused.paused = true;
   state("s01", paused, 101.0);
-  EXPECT_EQ(needOf("s01", 1000.0), Need::none);
+  EXPECT_EQ(stationNeed("s01", 1000.0), Need::none);
 }
 
 TEST_F(ClassBoardTest, WhoOnlyStrokesIsSeenDuringTheTrial) {
@@ -105,11 +105,11 @@ TEST_F(ClassBoardTest, WhoOnlyStrokesIsSeenDuringTheTrial) {
   state("s01", inTrial(), 0.5);
   double now_s = 1.0;
   for (; now_s < 9.0; now_s += 0.1) press("s01", 0.3, now_s);
-  EXPECT_EQ(needOf("s01", now_s), Need::none);
+  EXPECT_EQ(stationNeed("s01", now_s), Need::none);
   for (; now_s < 12.0; now_s += 0.1) press("s01", 0.3, now_s);
-  EXPECT_EQ(needOf("s01", now_s), Need::too_light);
+  EXPECT_EQ(stationNeed("s01", now_s), Need::too_light);
   press("s01", 0.6, now_s);
-  EXPECT_EQ(needOf("s01", now_s), Need::none);
+  EXPECT_EQ(stationNeed("s01", now_s), Need::none);
 }
 
 TEST_F(ClassBoardTest, AStationThatIsGoneNeedsNobodyAndIsNotFresh) {
@@ -119,7 +119,7 @@ TEST_F(ClassBoardTest, AStationThatIsGoneNeedsNobodyAndIsNotFresh) {
   state("s01", errors, 0.0);
   press("s01", 1.0, 0.5);
   online("s01", false);
-  EXPECT_EQ(needOf("s01", 1.0), Need::none);
+  EXPECT_EQ(stationNeed("s01", 1.0), Need::none);
   EXPECT_FALSE(board_.tile("s01", 1.0)->fresh);
   ASSERT_TRUE(send("s01", "state", "", 2.0));  // signed off
   EXPECT_FALSE(board_.tile("s01", 2.0)->state);
@@ -170,7 +170,7 @@ TEST_F(ClassBoardTest, StrangeMessagesChangeNothing) {
   EXPECT_FALSE(send("s01", "live", "{}", 2.0));
   EXPECT_FALSE(send("s01", "state", "{\"a\":1}", 2.0));
   EXPECT_FALSE(send("s01", "trial", "[]", 2.0));
-  EXPECT_FALSE(board_.take("palpate/v1/other/st/s02/live", "{}", 2.0));
+  EXPECT_FALSE(board_.acceptMessage("palpate/v1/other/st/s02/live", "{}", 2.0));
   EXPECT_DOUBLE_EQ(board_.tile("s01", 2.0)->live.force_n, 1.0);
   EXPECT_EQ(board_.tiles(2.0).size(), 1U);
 }

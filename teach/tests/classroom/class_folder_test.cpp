@@ -47,7 +47,7 @@ TEST(ClassFolderTest, WhatWasMadeIsReadBack) {
   const Member station = readMember(read.station("s02"));
   EXPECT_EQ(station.role, Role::station);
   EXPECT_EQ(station.name, "s02");
-  EXPECT_EQ(station.station_id, stationIdOf("osteo-1", "s02"));
+  EXPECT_EQ(station.station_id, deriveStationId("osteo-1", "s02"));
   EXPECT_EQ(station.host, "teacher.local");
   EXPECT_TRUE(station.key.is_absolute());
   EXPECT_EQ(readMember(read.instructor()).role, Role::instructor);
@@ -68,7 +68,7 @@ TEST(ClassFolderTest, SaysForHowLongThingsAreKept) {
   writeFile(file, "id = \"osteo-1\"\nhost = \"localhost\"\n");  // as of before there was a word for it
   EXPECT_EQ(readClassFolder(temporary / "class").retention, Retention());
   writeFile(file, "id = \"osteo-1\"\nhost = \"localhost\"\nretain_days = 0\n");
-  const std::string words = support::messageOf([&] { readClassFolder(temporary / "class"); });
+  const std::string words = support::thrownMessage([&] { readClassFolder(temporary / "class"); });
   EXPECT_NE(words.find("retain_days"), std::string::npos) << words;
 }
 
@@ -99,7 +99,7 @@ TEST(ClassFolderTest, AStationMoreIsAddedByNumberOrName) {
   const ClassFolder made = makeClassFolder(temporary / "class", aPlan(2));
   EXPECT_EQ(addStation(made), "s03");
   EXPECT_EQ(addStation(made, "by-the-window"), "by-the-window");
-  EXPECT_EQ(readMember(made.station("by-the-window")).station_id, stationIdOf("osteo-1", "by-the-window"));
+  EXPECT_EQ(readMember(made.station("by-the-window")).station_id, deriveStationId("osteo-1", "by-the-window"));
   for (const char* name : {"instructor", "ingest", "checker", "../s09", "a+b", "#", "S01", "-x"}) {
     EXPECT_THROW(addStation(made, name), Error) << name;
   }
@@ -160,7 +160,7 @@ TEST(ClassFolderTest, MemberFilesSayWhatIsWrongAndWhere) {
   const auto message_with = [&](const std::string& from, const std::string& to) {
     std::string text = good;
     text.replace(text.find(from), from.size(), to);
-    return support::messageOf([&] { parseMember(text, file); });
+    return support::thrownMessage([&] { parseMember(text, file); });
   };
   EXPECT_NE(message_with("port = 8883", "port = 0").find("port"), std::string::npos);
   EXPECT_NE(message_with("port = 8883", "prot = 8883").find("did you mean 'port'"), std::string::npos);
@@ -206,7 +206,7 @@ TEST(ClassFolderTest, RenewsEveryCertificateAndWarnsSixtyDaysBefore) {
   EXPECT_EQ(lives.size(), 7u);
   EXPECT_EQ(certificateWarnings(lives).size(), 6u) << "all but the authority";
   EXPECT_NE(certificateWarnings(lives).front().find("the broker ends in 5"), std::string::npos);
-  const std::vector<std::string> hosts = hostsOf(support::contentOf(made.broker() / "server.crt"));
+  const std::vector<std::string> hosts = certificateHosts(support::contentOf(made.broker() / "server.crt"));
   EXPECT_EQ(hosts, (std::vector<std::string>{"teacher.local", "192.168.1.10", "localhost", "127.0.0.1"}));
   EXPECT_EQ(renewCertificates(made, {"s02"}).size(), 1u);
   EXPECT_EQ(certificateWarnings(certificateLives(made)).size(), 5u);

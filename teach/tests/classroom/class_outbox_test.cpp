@@ -48,16 +48,16 @@ class Trainee {
     const auto who = rows::trainee("T" + std::to_string(number));
     trainee = who.id;
     training::StationRow station = rows::station();
-    station.id = stationIdOf("osteo-1", at);
-    store_.keep(station);
-    store_.keep(rows::aClass());
-    store_.keep(who);
-    store_.keep(rows::protocol());
+    station.id = deriveStationId("osteo-1", at);
+    store_.save(station);
+    store_.save(rows::aClass());
+    store_.save(who);
+    store_.save(rows::protocol());
     session_ = rows::session(who, number);
     session_.station_id = station.id;
     block_ = rows::block(session_, number);
     block_.finished = false;
-    store_.keep(std::vector<training::Row>{session_, block_});
+    store_.save(std::vector<training::Row>{session_, block_});
   }
   void answer() {
     const auto number = static_cast<std::uint64_t>(++trials_);
@@ -65,7 +65,7 @@ class Trainee {
     block_.finished = trials_ == kTrials;
     const auto trial = rows::trial(
         block_, 1000 * block_.id.size() + number + std::hash<std::string>()(block_.id) % 99991, trials_, random_);
-    store_.keep(std::vector<training::Row>{block_, trial});
+    store_.save(std::vector<training::Row>{block_, trial});
     kept.insert(trial.id);
   }
 
@@ -179,7 +179,7 @@ TEST_F(ClassOutboxTest, TheInstructorSeesTheStationAndAsksIt) {
 
   EXPECT_TRUE(watch.ask("s01", {CommandKind::message, "Well done"}));
   std::optional<Command> command;
-  EXPECT_TRUE(waitFor([&] { return (command = link->takeCommand()).has_value(); }));
+  EXPECT_TRUE(waitFor([&] { return (command = link->popCommand()).has_value(); }));
   EXPECT_EQ(command->text, "Well done");
 
   link.reset();  // signs off
@@ -193,7 +193,7 @@ TEST_F(ClassOutboxTest, LiveSamplesGoOutTenTimesASecond) {
   const auto store = storeOf("s01");
   StationLink link(station("s01"), *store, {"palpate", "mouse"});
   std::atomic<int> seen = 0;
-  MqttSettings settings = linkOf(instructor());
+  MqttSettings settings = makeMqttSettings(instructor());
   settings.subscriptions = {{topicText({"osteo-1", "s01", "live"}), 0}};
   const MqttLink viewer(settings, {[&](auto, auto payload) { seen += parseLive(payload) ? 1 : 0; }, {}});
   ASSERT_TRUE(waitFor([&] { return link.connected() && viewer.connected(); }));
@@ -226,7 +226,7 @@ TEST_F(ClassOutboxTest, WhoIsDeletedIsGoneFromTheClassAndFromTheBroker) {
   const training::DeletionRow deletion{training::deletedMark(deleted.trainee), training::utcMs()};
   const Envelope envelope{1, training::outboxKey(deletion), 0.0};
   const auto ask = [&](const Member& who, const std::string& as) {
-    MqttLink link(linkOf(who), {});
+    MqttLink link(makeMqttSettings(who), {});
     return waitFor([&] { return link.connected(); }) &&
            link.publish(
                {topicText({"osteo-1", as, "delete"}), rowText(envelope, training::rowJson(deletion)), 1, false, 0});
@@ -234,7 +234,7 @@ TEST_F(ClassOutboxTest, WhoIsDeletedIsGoneFromTheClassAndFromTheBroker) {
   Store gathered(records_, Store::Open::read_only);
   ASSERT_TRUE(ask(station("s02"), "s02"));
   std::vector<std::string> said;
-  EXPECT_TRUE(waitFor([&] { return !(said = collects->takeSaid()).empty(); }));
+  EXPECT_TRUE(waitFor([&] { return !(said = collects->drainReports()).empty(); }));
   EXPECT_NE(said.front().find("s02 deleted a trainee: 0 of its sessions are gone; not deleted: 1 of"),
             std::string::npos)
       << said.front();
@@ -266,7 +266,7 @@ TEST_F(ClassOutboxTest, WhatAStationMayNotWriteIsRefusedSaidAndParkedInItsOutbox
   EXPECT_EQ(copied->waitingCount(), copied->refusedCount()) << "nothing is lost at the station";
   EXPECT_NE(other.trouble().find("the class refused"), std::string::npos) << other.trouble();
   EXPECT_GE(collects->report().refused, 4u);
-  const auto said = collects->takeSaid();
+  const auto said = collects->drainReports();
   ASSERT_FALSE(said.empty());
   EXPECT_EQ(said.front().rfind("s02: ", 0), 0u) << said.front();
   Store gathered(records_, Store::Open::read_only);
@@ -292,10 +292,10 @@ TEST_F(ClassOutboxTest, AStationHearsOfADeletionInTheClassAndIsWelcomeAfterwards
   EXPECT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
   const auto again = rows::trainee("T1");
   ASSERT_EQ(again.id, gone.trainee);
-  store->keep(again);
+  store->save(again);
   auto session = rows::session(again, 50);
-  session.station_id = stationIdOf("osteo-1", "s01");
-  store->keep(std::vector<training::Row>{session});
+  session.station_id = deriveStationId("osteo-1", "s01");
+  store->save(std::vector<training::Row>{session});
   EXPECT_TRUE(waitFor([&] { return store->waitingCount() == 0; }));
   EXPECT_EQ(gathered.sessions(gone.trainee).size(), 1u) << "a later sign-in counts, whatever the clocks say";
 }
@@ -307,7 +307,7 @@ TEST_F(ClassOutboxTest, NobodyIsThrownOutByAClientIdOfAnother) {
   ASSERT_TRUE(waitFor([&] { return link.connected() && collects->report().connected; }));
   for (int i = 0; i < 10; ++i) {
     for (const char* id : {"palpate-osteo-1-ingest", "palpate-osteo-1-s01", "ingest+", "s01"}) {
-      MqttSettings settings = linkOf(station("s02"));
+      MqttSettings settings = makeMqttSettings(station("s02"));
       settings.client_id = id;
       const MqttLink thief(settings, {});
       EXPECT_TRUE(waitFor([&] { return thief.connected(); }));
@@ -327,7 +327,7 @@ TEST_F(ClassOutboxTest, AStationThatFloodsTheInboxWaitsForItself) {
   std::this_thread::sleep_for(std::chrono::milliseconds(200));  // its subscriptions
   training::ProtocolRow protocol = rows::protocol();
   protocol.text = std::string(60'000, 'x');
-  MqttLink flood(linkOf(station("s02")), {});
+  MqttLink flood(makeMqttSettings(station("s02")), {});
   ASSERT_TRUE(waitFor([&] { return flood.connected(); }));
   std::uint64_t sent = 0;
   for (int version = 2; version < 1000; ++version) {

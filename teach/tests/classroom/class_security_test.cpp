@@ -39,17 +39,17 @@ class ClassSecurityTest : public brokers::BrokerTest {
 };
 
 TEST_F(ClassSecurityTest, NobodyWithoutACertificateOfThisClassComesIn) {
-  const MqttLink good(linkOf(station("s01")), {});
+  const MqttLink good(makeMqttSettings(station("s01")), {});
   EXPECT_TRUE(waitFor([&] { return good.connected(); })) << good.trouble();
 
-  MqttSettings anonymous = linkOf(station("s02"));
+  MqttSettings anonymous = makeMqttSettings(station("s02"));
   anonymous.certificate.clear();
   anonymous.key.clear();
   EXPECT_TRUE(staysOut(anonymous));
 
   // Another class's: the same names, another authority.
   const ClassFolder other = makeClassFolder(temporary_ / "other", brokers::smallClass(2, folder_.port));
-  MqttSettings stranger = linkOf(readMember(other.station("s02")));
+  MqttSettings stranger = makeMqttSettings(readMember(other.station("s02")));
   stranger.authority = station("s02").authority;
   EXPECT_TRUE(staysOut(stranger));
 }
@@ -57,25 +57,25 @@ TEST_F(ClassSecurityTest, NobodyWithoutACertificateOfThisClassComesIn) {
 TEST_F(ClassSecurityTest, AStationThatWasRemovedStaysOutAndTheOthersComeIn) {
   const std::filesystem::path lost = temporary_ / "lost";  // a stick with all that the station had
   std::filesystem::copy(folder_.station("s02"), lost, std::filesystem::copy_options::recursive);
-  EXPECT_FALSE(staysOut(linkOf(readMember(lost))));
+  EXPECT_FALSE(staysOut(makeMqttSettings(readMember(lost))));
   removeStation(folder_, "s02");
   broker_->restart();
-  EXPECT_TRUE(staysOut(linkOf(readMember(lost))));
+  EXPECT_TRUE(staysOut(makeMqttSettings(readMember(lost))));
   addStation(folder_, "s02");
   for (const Member& member : {station("s01"), station("s02"), instructor(), ingest()}) {
-    EXPECT_FALSE(staysOut(linkOf(member))) << member.name;
+    EXPECT_FALSE(staysOut(makeMqttSettings(member))) << member.name;
   }
 }
 
 TEST_F(ClassSecurityTest, AStationDoesNotTalkToABrokerOfAnotherClass) {
   const ClassFolder other = makeClassFolder(temporary_ / "other", brokers::smallClass(2, folder_.port));
-  MqttSettings misled = linkOf(station("s01"));
+  MqttSettings misled = makeMqttSettings(station("s01"));
   misled.authority = readMember(other.station("s01")).authority;
   EXPECT_TRUE(staysOut(misled));
 }
 
 TEST_F(ClassSecurityTest, AStationWritesItsOwnTopicsAlone) {
-  MqttLink link(linkOf(station("s01")), {});
+  MqttLink link(makeMqttSettings(station("s01")), {});
   EXPECT_TRUE(accepts(link, topic("s01", "trial")));
   EXPECT_TRUE(accepts(link, topic("s01", "live")));
   EXPECT_FALSE(accepts(link, topic("s02", "trial")));
@@ -87,7 +87,7 @@ TEST_F(ClassSecurityTest, AStationWritesItsOwnTopicsAlone) {
 }
 
 TEST_F(ClassSecurityTest, TheInstructorAsksAndWritesNoResults) {
-  MqttLink link(linkOf(instructor()), {});
+  MqttLink link(makeMqttSettings(instructor()), {});
   EXPECT_TRUE(accepts(link, topic("s01", "cmd")));
   EXPECT_TRUE(accepts(link, topic("instructor", "delete")));
   EXPECT_FALSE(accepts(link, topic("s01", "delete")));
@@ -98,7 +98,7 @@ TEST_F(ClassSecurityTest, TheInstructorAsksAndWritesNoResults) {
 }
 
 TEST_F(ClassSecurityTest, TheCollectorAcknowledgesAndWritesNoResults) {
-  MqttLink link(linkOf(ingest()), {});
+  MqttLink link(makeMqttSettings(ingest()), {});
   EXPECT_TRUE(accepts(link, topic("s01", "ack")));
   EXPECT_TRUE(accepts(link, topic("s01", "state")));
   for (const char* kind : {"trial", "block", "cmd", "live"}) EXPECT_FALSE(accepts(link, topic("s01", kind))) << kind;
@@ -107,15 +107,15 @@ TEST_F(ClassSecurityTest, TheCollectorAcknowledgesAndWritesNoResults) {
 TEST_F(ClassSecurityTest, AStationHearsNobodyElse) {
   std::mutex mutex;
   std::set<std::string> heard;
-  MqttSettings settings = linkOf(station("s02"));
+  MqttSettings settings = makeMqttSettings(station("s02"));
   settings.subscriptions = {{"#", 1}, {topic("s01", "trial"), 1}, {topic("s02", "cmd"), 1}};
   const MqttLink curious(settings, {[&](auto where, auto) {
                                       const std::lock_guard lock(mutex);
                                       heard.emplace(where);
                                     },
                                     {}});
-  MqttLink other(linkOf(station("s01")), {});
-  MqttLink teacher(linkOf(instructor()), {});
+  MqttLink other(makeMqttSettings(station("s01")), {});
+  MqttLink teacher(makeMqttSettings(instructor()), {});
   ASSERT_TRUE(waitFor([&] { return curious.connected() && other.connected() && teacher.connected(); }));
   std::this_thread::sleep_for(std::chrono::milliseconds(200));  // its subscriptions
   for (const char* kind : {"trial", "live", "state"}) other.publish({topic("s01", kind), "{}", 1, false, 0});
@@ -130,7 +130,7 @@ TEST_F(ClassSecurityTest, AStationHearsNobodyElse) {
 }
 
 TEST_F(ClassSecurityTest, TheCheckerAsksTheCollectorAndNothingElse) {
-  MqttLink link(linkOf(readMember(folder_.checker())), {});
+  MqttLink link(makeMqttSettings(readMember(folder_.checker())), {});
   EXPECT_TRUE(accepts(link, topic("checker", "check")));
   for (const char* kind : {"trial", "delete", "ack", "cmd"}) {
     EXPECT_FALSE(accepts(link, topic("s01", kind))) << kind;
@@ -143,8 +143,8 @@ class ClassSecurityWithPatience : public ClassSecurityTest {};
 TEST_F(ClassSecurityWithPatience, TwoProgramsWithOneCertificateTakeTurnsEverMoreSlowlyAndSayWhy) {
   std::atomic<int> connections = 0;
   const MqttHandlers counting{{}, [&] { ++connections; }};
-  const MqttLink first(linkOf(station("s01")), counting);
-  const MqttLink second(linkOf(station("s01")), counting);
+  const MqttLink first(makeMqttSettings(station("s01")), counting);
+  const MqttLink second(makeMqttSettings(station("s01")), counting);
   std::string said;
   const auto until = Clock::now() + std::chrono::seconds(5);
   while (Clock::now() < until) {
@@ -156,8 +156,8 @@ TEST_F(ClassSecurityWithPatience, TwoProgramsWithOneCertificateTakeTurnsEverMore
 }
 
 TEST_F(ClassSecurityTest, EveryInstructorsWindowHasItsOwnConnection) {
-  const MqttLink first(linkOf(instructor()), {});
-  const MqttLink second(linkOf(readMember(addInstructor(folder_))), {});
+  const MqttLink first(makeMqttSettings(instructor()), {});
+  const MqttLink second(makeMqttSettings(readMember(addInstructor(folder_))), {});
   ASSERT_TRUE(waitFor([&] { return first.connected() && second.connected(); }));
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
   EXPECT_TRUE(first.connected());

@@ -67,7 +67,7 @@ TEST_F(ClassStoreTest, AFilledDatabaseOfVersionOneComesForwardWhole) {
     sql.run(training::old_rows::text("version-1-rows.sql"));
   }
   ClassStore store(connection_);
-  EXPECT_EQ(training::schemaVersionOf(store.rows().sql()), training::kSchemaVersion);
+  EXPECT_EQ(training::readSchemaVersion(store.rows().sql()), training::kSchemaVersion);
   EXPECT_EQ(sorted(samples::saidAll(store.rows().all())), sorted(samples::saidAll(training::old_rows::expected())));
   ClassStore again(connection_);  // once is enough
   EXPECT_EQ(again.rows().sql().number("SELECT count(*) FROM schema_version"), training::kSchemaVersion);
@@ -76,10 +76,10 @@ TEST_F(ClassStoreTest, AFilledDatabaseOfVersionOneComesForwardWhole) {
 TEST_F(ClassStoreTest, GivesBackEveryRowAsASqliteFileDoes) {
   const samples::History history = samples::history(3, 2, 12);
   ClassStore store(connection_);
-  EXPECT_EQ(store.keep(history.rows).keys.size(), history.rows.size());
+  EXPECT_EQ(store.save(history.rows).keys.size(), history.rows.size());
   const support::TemporaryFolder folder;
   training::Store file(folder / "a.results", training::Store::Open::create_too);
-  file.keepAny(history.rows);
+  file.storeAnyRows(history.rows);
   EXPECT_EQ(sorted(samples::saidAll(store.rows().all())), sorted(samples::saidAll(history.rows)));
   EXPECT_EQ(samples::saidAll(store.rows().all()), samples::saidAll(file.rows().all()));  // in the same order
   EXPECT_EQ(store.rows().trialCount(), 72);
@@ -90,7 +90,7 @@ TEST_F(ClassStoreTest, RowsInAnyOrderAndTwiceAreThereOnce) {
   ClassStore store(connection_);
   std::ranges::reverse(history.rows);
   for (int time = 0; time < 2; ++time) {
-    const ClassStore::Kept kept = store.keep(history.rows);
+    const ClassStore::Kept kept = store.save(history.rows);
     EXPECT_EQ(kept.keys.size(), history.rows.size());
     EXPECT_TRUE(kept.refused.empty());
   }
@@ -105,7 +105,7 @@ TEST_F(ClassStoreTest, ARowWithoutItsBlockIsRefusedAndTheOthersAreKept) {
       samples::trial(samples::block(samples::session(samples::trainee(), 1), 99), 7, 1, random);
   rows.insert(rows.begin() + 2, lonely);
   ClassStore store(connection_);
-  const ClassStore::Kept kept = store.keep(rows);
+  const ClassStore::Kept kept = store.save(rows);
   EXPECT_EQ(kept.keys.size(), history.rows.size());
   ASSERT_EQ(kept.waits.size(), 1u);
   EXPECT_EQ(kept.waits.front().key, lonely.id);
@@ -117,14 +117,14 @@ TEST_F(ClassStoreTest, ARowWithoutItsBlockIsRefusedAndTheOthersAreKept) {
 TEST_F(ClassStoreTest, AnOlderStateOfABlockDoesNotReplaceANewerOne) {
   const samples::History history = samples::history(1, 1, 0);
   ClassStore store(connection_);
-  store.keep(history.rows);
+  store.save(history.rows);
   training::BlockRow block = std::get<training::BlockRow>(history.rows[5]);
   const std::string newest = training::rowJson(AnyRow(block));
   block.finished = false;
   block.trials = 3;
   block.state_json = "{}";
   const AnyRow older = block;
-  EXPECT_EQ(store.keep(std::span(&older, 1)).keys.size(), 1u);  // acknowledged: it is superseded
+  EXPECT_EQ(store.save(std::span(&older, 1)).keys.size(), 1u);  // acknowledged: it is superseded
   EXPECT_EQ(training::rowJson(AnyRow(*store.rows().block(block.id))), newest);
 }
 
@@ -135,10 +135,10 @@ TEST_F(ClassStoreTest, WhatWasKeptSurvivesTheServersDeath) {
   std::size_t next = 0;
   for (int death = 0; death < 2; ++death) {
     for (int i = 0; i < 6; ++i, ++next) {
-      for (const auto& key : store.keep(std::span(&history.rows[next], 1)).keys) acknowledged.insert(key);
+      for (const auto& key : store.save(std::span(&history.rows[next], 1)).keys) acknowledged.insert(key);
     }
     server_->kill();
-    EXPECT_THROW(store.keep(std::span(&history.rows[next], 1)), DatabaseAway);
+    EXPECT_THROW(store.save(std::span(&history.rows[next], 1)), DatabaseAway);
     EXPECT_FALSE(store.connected());
     EXPECT_THROW(store.reconnect(), DatabaseAway);
     server_->start();
@@ -155,14 +155,14 @@ TEST_F(ClassStoreTest, WhoWasDeletedStaysDeletedWhateverStillComes) {
   const samples::History history = samples::history(3, 2, 4);
   const training::Uuid gone = history.trainees[1].id;
   ClassStore store(connection_);
-  store.keep(history.rows);
+  store.save(history.rows);
   std::vector<std::string> others;
   for (const AnyRow& row : store.rows().all()) others.push_back(samples::said(row));
   const AnyRow notice = training::DeletionRow{training::deletedMark(gone), training::utcMs()};
-  EXPECT_EQ(store.keep(std::span(&notice, 1)).keys, std::vector{training::outboxKey(notice)});
+  EXPECT_EQ(store.save(std::span(&notice, 1)).keys, std::vector{training::outboxKey(notice)});
   EXPECT_FALSE(store.rows().trainee(gone));
   // A station that was away sends all of it once more, and is told that it need not.
-  const ClassStore::Kept again = store.keep(history.rows);
+  const ClassStore::Kept again = store.save(history.rows);
   EXPECT_EQ(again.keys.size(), history.rows.size());
   EXPECT_FALSE(store.rows().trainee(gone));
   EXPECT_EQ(store.rows().trialCount(), 16);
@@ -173,7 +173,7 @@ TEST_F(ClassStoreTest, PurgeForgetsWhatWasKeptLongEnoughAndNobodyForGood) {
   const samples::History history = samples::history(3, 2, 4);
   constexpr std::int64_t kDay = 86'400'000;
   ClassStore store(connection_);
-  store.keep(history.rows);
+  store.save(history.rows);
   EXPECT_EQ(store.purge(samples::kMonday + 200 * kDay).sessions, 0);
   EXPECT_EQ(store.rows().trialCount(), 24);
   const training::Purged purged = store.purge(samples::kMonday + 500 * kDay);
@@ -186,15 +186,15 @@ TEST_F(ClassStoreTest, PurgeForgetsWhatWasKeptLongEnoughAndNobodyForGood) {
   const AnyRow trainee = history.trainees[1];
   const AnyRow session = samples::session(history.trainees[1], 600);
   const std::vector<AnyRow> back = {trainee, session};
-  EXPECT_EQ(store.keep(back).keys.size(), 2u);
+  EXPECT_EQ(store.save(back).keys.size(), 2u);
   EXPECT_EQ(store.rows().sessions(history.trainees[1].id).size(), 1u);
 }
 
 TEST_F(ClassStoreTest, HowLongAClassKeepsThingsIsSaidByItsFolderAndByNoStation) {
   const training::ClassRow ours{"osteo-1", "Osteopathy, first year", 30, 10};
   const auto sink = databaseSink(connection_, {ours});
-  const SentRow theirs{training::ClassRow{"osteo-1", "x", 36500, 36500}, stationIdOf("osteo-1", "s01"), "s01"};
-  EXPECT_EQ(sink->keep(std::span(&theirs, 1)).keys.size(), 1u);
+  const SentRow theirs{training::ClassRow{"osteo-1", "x", 36500, 36500}, deriveStationId("osteo-1", "s01"), "s01"};
+  EXPECT_EQ(sink->save(std::span(&theirs, 1)).keys.size(), 1u);
   const training::ClassRow kept = ClassStore(connection_).rows().classes().at(0);
   EXPECT_EQ(kept.label, ours.label);
   EXPECT_EQ(kept.retain_days, 30);
@@ -204,7 +204,7 @@ TEST_F(ClassStoreTest, HowLongAClassKeepsThingsIsSaidByItsFolderAndByNoStation) 
 TEST_F(ClassStoreTest, ACopyInMemoryHoldsEveryRowAndNeverSaysTheAddress) {
   const samples::History history = samples::history(3, 2, 12);
   ClassStore store(connection_);
-  store.keep(history.rows);
+  store.save(history.rows);
   EXPECT_TRUE(isDatabaseAddress(connection_)) << connection_;
   training::Store copy = copyOfDatabase(connection_);
   EXPECT_EQ(samples::saidAll(copy.rows().all()), samples::saidAll(store.rows().all()));
@@ -213,14 +213,14 @@ TEST_F(ClassStoreTest, ACopyInMemoryHoldsEveryRowAndNeverSaysTheAddress) {
 
 TEST_F(ClassStoreTest, ACopyIsOfOneMomentWhileTheCollectorGoesOn) {
   const samples::History history = samples::history(1, 1, 0);
-  ClassStore(connection_).keep(history.rows);
+  ClassStore(connection_).save(history.rows);
   std::jthread collector([&](const std::stop_token& ending) {
     ClassStore store(connection_);
     for (std::uint64_t number = 100; number < 300 && !ending.stop_requested(); ++number) {
       const training::TraineeRow trainee = samples::trainee(std::to_string(number));
       const training::SessionRow session = samples::session(trainee, number);
       const std::vector<AnyRow> rows = {trainee, session, samples::block(session, number)};
-      store.keep(rows);
+      store.save(rows);
     }
   });
   std::size_t seen = 0;
@@ -234,18 +234,18 @@ TEST_F(ClassStoreTest, ACopyIsOfOneMomentWhileTheCollectorGoesOn) {
 }
 
 TEST_F(ClassStoreTest, AStrangersDatabaseIsNotCopiedAndGetsNoTables) {
-  const std::string words = support::messageOf([&] { copyOfDatabase(connection_); });
+  const std::string words = support::thrownMessage([&] { copyOfDatabase(connection_); });
   EXPECT_NE(words.find("holds no training records"), std::string::npos) << words;
   PostgresSql sql(connection_);
   sql.connect();
-  EXPECT_EQ(training::schemaVersionOf(sql), 0);
+  EXPECT_EQ(training::readSchemaVersion(sql), 0);
 }
 
 TEST_F(ClassStoreTest, ARoleThatDoesNotOwnTheTablesIsNotToldDeleted) {
   const samples::History history = samples::history(2, 1, 2);
   {
     ClassStore owner(connection_);
-    owner.keep(history.rows);
+    owner.save(history.rows);
     EXPECT_TRUE(owner.erase(history.trainees[0].id, "palpate train results"));
     EXPECT_EQ(owner.notErased(), "");
     owner.rows().sql().run(
@@ -261,7 +261,7 @@ TEST_F(ClassStoreTest, ARoleThatDoesNotOwnTheTablesIsNotToldDeleted) {
   EXPECT_TRUE(helper.erase(history.trainees[1].id, "palpate train results"));
   EXPECT_NE(helper.notErased().find("still lie in the server's files"), std::string::npos) << helper.notErased();
   EXPECT_NE(helper.notErased().find("VACUUM (FULL)"), std::string::npos);
-  const std::string words = support::messageOf([&] { copyOfDatabase(as("stranger")); });
+  const std::string words = support::thrownMessage([&] { copyOfDatabase(as("stranger")); });
   EXPECT_NE(words.find("permission denied"), std::string::npos) << words;
   EXPECT_EQ(words.find("holds no training records"), std::string::npos) << words;
   helper.rows().sql();
@@ -273,7 +273,7 @@ TEST(DatabaseAddress, WithAPasswordIsRefused) {
   for (const char* address :
        {"postgresql://teacher:secret@localhost/osteo", "host=/run/postgresql dbname=o password=secret",
         "postgresql://localhost/osteo?password=secret", "dbname=o password = 'se cret'"}) {
-    const std::string words = support::messageOf([&] { ClassStore store(address); });
+    const std::string words = support::thrownMessage([&] { ClassStore store(address); });
     EXPECT_NE(words.find("pgpass"), std::string::npos) << words;
     EXPECT_EQ(words.find("secret"), std::string::npos) << words;
     EXPECT_THROW(databaseSink(address), Error);
@@ -295,19 +295,19 @@ TEST(DatabaseAddress, IsToldFromAFile) {
 TEST_F(ClassStoreTest, TwelveTrialsASecondAreKeptInTime) {
   ClassStore store(connection_);
   const samples::History history = samples::history(1, 1, 0);
-  store.keep(history.rows);
+  store.save(history.rows);
   const auto& block = std::get<training::BlockRow>(history.rows[5]);
   const auto measured = training::pace::atTwelveASecond([&](std::uint64_t number) {
     Random random(number);
     const std::vector<AnyRow> rows = {samples::trial(block, number, static_cast<int>(number), random), block};
-    EXPECT_EQ(store.keep(rows).keys.size(), 2u);
+    EXPECT_EQ(store.save(rows).keys.size(), 2u);
   });
   EXPECT_EQ(static_cast<std::uint64_t>(store.rows().trialCount()), measured.trials);
   training::pace::judge("PostgreSQL", measured);
 }
 
 TEST_F(ClassStoreTest, SaysWhatIsWrongWithAConnection) {
-  const std::string words = support::messageOf([] { ClassStore("host=/tmp/palpate_nowhere dbname=x"); });
+  const std::string words = support::thrownMessage([] { ClassStore("host=/tmp/palpate_nowhere dbname=x"); });
   EXPECT_EQ(words.rfind("the class's database: ", 0), 0u) << words;
   EXPECT_EQ(words.find('\n'), std::string::npos);
 }

@@ -90,7 +90,7 @@ TEST(ClassMessages, NoCommandTouchesForceOrDevice) {
     text.replace(text.find("pause"), 5, word);
     EXPECT_FALSE(parseCommand(text)) << text;
   }
-  EXPECT_EQ(allWords<CommandKind>().size(), 4U);
+  EXPECT_EQ(enumNames<CommandKind>().size(), 4U);
 }
 
 TEST(ClassMessages, LongTextOfACommandIsCutBetweenLetters) {

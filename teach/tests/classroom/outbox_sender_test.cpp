@@ -12,7 +12,7 @@ Clock::time_point at(double s) { return Clock::time_point(std::chrono::milliseco
 TEST(OutboxSenderTest, SendsAtMostFiftyRowsASecond) {
   OutboxSender sender({}, at(0.0));
   int sent = 0;
-  for (int ms = 0; ms < 10000; ++ms) sent += sender.takeToken(at(0.001 * ms)) ? 1 : 0;
+  for (int ms = 0; ms < 10000; ++ms) sent += sender.consumeToken(at(0.001 * ms)) ? 1 : 0;
   EXPECT_GE(sent, 490);
   EXPECT_LE(sent, 510);
 }
@@ -50,16 +50,16 @@ TEST(CommandQueueTest, ACommandExpiresAfterTenSeconds) {
   CommandQueue queue;
   queue.put({CommandKind::pause, {}}, at(0.0));
   queue.put({CommandKind::message, "now"}, at(5.0));
-  const auto taken = queue.take(at(11.0));
+  const auto taken = queue.popCommand(at(11.0));
   ASSERT_TRUE(taken);
   EXPECT_EQ(taken->text, "now");
-  EXPECT_FALSE(queue.take(at(11.0)));
+  EXPECT_FALSE(queue.popCommand(at(11.0)));
 }
 
 TEST(CommandQueueTest, KeepsTheNewestOfTooMany) {
   CommandQueue queue;
   for (int i = 0; i < 100; ++i) queue.put({CommandKind::message, std::to_string(i)}, at(0.0));
-  EXPECT_EQ(queue.take(at(0.0))->text, "68");
+  EXPECT_EQ(queue.popCommand(at(0.0))->text, "68");
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ TEST(LumpBlock, SomeBodiesOfPracticeHoldNothing) {
   EXPECT_EQ(block.counts().said_without, 0);
 }
 
-LumpTrial trialOf(std::vector<HiddenLump> hidden, const std::vector<Vec2>& named) {
+LumpTrial makeTrial(std::vector<HiddenLump> hidden, const std::vector<Vec2>& named) {
   LumpTrial trial{.hidden = std::move(hidden), .findings = {}, .over = true};
   for (const Vec2& place : named) trial.findings.push_back({.place_mm = place});
   return trial;
@@ -153,14 +153,14 @@ LumpTrial trialOf(std::vector<HiddenLump> hidden, const std::vector<Vec2>& named
 
 TEST(LumpBlock, AFindingBelongsToOneLumpWithinAFingertip) {
   const LumpTask task;
-  const LumpTrial two = trialOf({{.place_mm = {0, 0}}, {.place_mm = {50, 0}}}, {{9.9, 0}, {2, 0}, {50, 10.1}});
+  const LumpTrial two = makeTrial({{.place_mm = {0, 0}}, {.place_mm = {50, 0}}}, {{9.9, 0}, {2, 0}, {50, 10.1}});
   const auto judgements = judged(two, task);
   EXPECT_FALSE(judgements[0].lump) << "the nearer one has it";
   EXPECT_EQ(judgements[1].lump, 0U);
   EXPECT_FALSE(judgements[2].lump) << "10.1 mm beside";
   EXPECT_NEAR(*judgements[2].error_mm, 10.1, 1e-12);
   EXPECT_FALSE(isRight(two, task));
-  const LumpCounts counts = countsOf({two}, task);
+  const LumpCounts counts = countLumps({two}, task);
   EXPECT_EQ(counts.found, 1);
   EXPECT_EQ(counts.false_places, 2);
 }
@@ -168,8 +168,8 @@ TEST(LumpBlock, AFindingBelongsToOneLumpWithinAFingertip) {
 TEST(LumpBlock, ALargeLumpMayBeNamedAnywhereOverIt) {
   LumpTask task;
   task.diameters_mm = {3.0, 5.0, 24.0};
-  EXPECT_TRUE(isRight(trialOf({{.size = 2}}, {{11.5, 0}}), task));
-  EXPECT_FALSE(isRight(trialOf({{.size = 1}}, {{11.5, 0}}), task));
+  EXPECT_TRUE(isRight(makeTrial({{.size = 2}}, {{11.5, 0}}), task));
+  EXPECT_FALSE(isRight(makeTrial({{.size = 1}}, {{11.5, 0}}), task));
 }
 
 TEST(LumpBlock, AsksOnlyWhatCanBeAnswered) {
@@ -189,14 +189,14 @@ TEST(LumpBlock, AsksOnlyWhatCanBeAnswered) {
 TEST(LumpBlock, AnExaminationIsMarkedByWhatIsFoundAndWhatIsNamedInVain) {
   LumpTask task;
   std::vector<LumpTrial> trials;
-  for (int i = 0; i < 9; ++i) trials.push_back(trialOf({{}}, {{0, 0}}));
-  for (int i = 0; i < 9; ++i) trials.push_back(trialOf({{}}, {}));
-  EXPECT_TRUE(countsOf(trials, task).passed) << "half of them";
-  trials.push_back(trialOf({{}}, {}));
-  EXPECT_FALSE(countsOf(trials, task).passed);
+  for (int i = 0; i < 9; ++i) trials.push_back(makeTrial({{}}, {{0, 0}}));
+  for (int i = 0; i < 9; ++i) trials.push_back(makeTrial({{}}, {}));
+  EXPECT_TRUE(countLumps(trials, task).passed) << "half of them";
+  trials.push_back(makeTrial({{}}, {}));
+  EXPECT_FALSE(countLumps(trials, task).passed);
   trials.pop_back();
   trials.back().findings.resize(5, {.place_mm = Vec2(90, 0)});
-  EXPECT_FALSE(countsOf(trials, task).passed) << "whoever names every place has found nothing";
+  EXPECT_FALSE(countLumps(trials, task).passed) << "whoever names every place has found nothing";
 }
 
 TEST(LumpBlock, ReadsNoStateThatIsDamaged) {

@@ -85,7 +85,7 @@ TEST(LumpObserver, ATickTellsWhatASecondPressWithoutTheLumpsTells) {
       ASSERT_TRUE(press.reached);
       EXPECT_NEAR(press.without.force.z(), kPressN, 1e-3 * kPressN);
       const LumpCue both = skin.cue(press, 8);
-      const LumpCue one = cueOf(press.with, skin.surface().lumps.get(), skin.ground(), 8);
+      const LumpCue one = computeCue(press.with, skin.surface().lumps.get(), skin.ground(), 8);
       EXPECT_NEAR(one.force, both.force, 1e-9);
       EXPECT_NEAR(one.pattern, both.pattern, 1e-6);
       EXPECT_EQ(both.force > 0.0, young_kpa > 12.0);
@@ -106,9 +106,9 @@ TEST(LumpObserver, FeelsNothingWhereThereIsNothing) {
   const LumpCue cue = bare.cue(pressBeside(bare, {0, 0}), 8);
   EXPECT_EQ(cue.force, 0.0);
   EXPECT_EQ(cue.pattern, 0.0);
-  EXPECT_EQ(detectionOf(clarityOf(cue, {}), {}), 0.0);
-  const LumpCue air = cueOf(contact::FingerOutput{}, nullptr, bare.ground(), 8);
-  EXPECT_EQ(clarityOf(air, {}), 0.0);
+  EXPECT_EQ(detectionProbability(computeClarity(cue, {}), {}), 0.0);
+  const LumpCue air = computeCue(contact::FingerOutput{}, nullptr, bare.ground(), 8);
+  EXPECT_EQ(computeClarity(air, {}), 0.0);
   // The bone is nearer than the force.
   EXPECT_FALSE(bare.press(LumpSheet::foot(), Vec3::UnitZ(), 1e4).reached);
 }
@@ -125,17 +125,17 @@ TEST(LumpObserver, AStrokeTellsWhatPressesOnItsWayTellAndIsClearestNearTheLump) 
   }
   EXPECT_NEAR(cues.front().force, cues.back().force, 1e-6);
   double clearest = 0.0;
-  for (const LumpCue& cue : cues) clearest = std::max(clearest, clarityOf(cue, {}));
-  EXPECT_EQ(clearestOf(cues, {}), clearest);
-  EXPECT_GT(clearest, clarityOf(cues.front(), {}));
-  EXPECT_GT(clearest, clearestOf(strokePast(skin, 8.0, depth_mm, 8), {}));
+  for (const LumpCue& cue : cues) clearest = std::max(clearest, computeClarity(cue, {}));
+  EXPECT_EQ(maxClarity(cues, {}), clearest);
+  EXPECT_GT(clearest, computeClarity(cues.front(), {}));
+  EXPECT_GT(clearest, maxClarity(strokePast(skin, 8.0, depth_mm, 8), {}));
 }
 
 TEST(LumpObserver, WithoutTheFieldOnlyTheForceCounts) {
   const LumpCue cue = cueBeside(ball(5.0, 200.0, 8.0), {0, 0}, 8);
-  EXPECT_NEAR(clarityOf(cue, {.field = false}), cue.force / 0.08, 1e-12);
-  EXPECT_NEAR(clarityOf(cue, {.taxels = 0}), cue.force / 0.08, 1e-12);
-  EXPECT_NEAR(clarityOf(cue, {}), std::hypot(cue.force / 0.08, cue.pattern / 0.036), 1e-12);
+  EXPECT_NEAR(computeClarity(cue, {.field = false}), cue.force / 0.08, 1e-12);
+  EXPECT_NEAR(computeClarity(cue, {.taxels = 0}), cue.force / 0.08, 1e-12);
+  EXPECT_NEAR(computeClarity(cue, {}), std::hypot(cue.force / 0.08, cue.pattern / 0.036), 1e-12);
   EXPECT_EQ(cueBeside(ball(5.0, 200.0, 8.0), {0, 0}, 0).pattern, 0.0);
 }
 
@@ -151,9 +151,9 @@ TEST(LumpObserver, FinerTaxelsTellASmallLumpBetter) {
 
 TEST(LumpObserver, FindsHalfOfWhatIsAsClearAsItsThresholdAndNeverAll) {
   const LumpObserver later;
-  EXPECT_NEAR(detectionOf(1.0, later), 0.49, 1e-12);
-  EXPECT_NEAR(detectionOf(std::exp(later.spread), later), 0.98 * 0.841345, 1e-5);
-  EXPECT_LE(detectionOf(1e30, later), 0.98);
+  EXPECT_NEAR(detectionProbability(1.0, later), 0.49, 1e-12);
+  EXPECT_NEAR(detectionProbability(std::exp(later.spread), later), 0.98 * 0.841345, 1e-5);
+  EXPECT_LE(detectionProbability(1e30, later), 0.98);
   EXPECT_NEAR(twoIntervals(0.0), 0.5, 1e-12);
   EXPECT_NEAR(twoIntervals(std::sqrt(2.0)), 0.841345, 1e-6);
 }
@@ -174,7 +174,7 @@ TEST(LumpObserver, TraineesOfAGroupFindAsOftenAsItsFormulaAndAgreeWithThemselves
     squares += found * found;
   }
   const double mean = all / kPeople;
-  EXPECT_NEAR(mean / kLumps, detectionOf(clarity, observer), 0.015);
+  EXPECT_NEAR(mean / kLumps, detectionProbability(clarity, observer), 0.015);
   // Were the spread between lumps alone, people would differ as coins do.
   const double p = mean / kLumps;
   EXPECT_GT(squares / kPeople - mean * mean, 2.0 * kLumps * p * (1.0 - p));
@@ -190,9 +190,9 @@ TEST(LumpObserver, StrokesPassTheLumpAtMostHalfTheirDistance) {
 
 TEST(LumpObserver, SaysWhichOfItsNumbersMakesNoSense) {
   EXPECT_NO_THROW(check(LumpObserver{}));
-  EXPECT_EQ(support::messageOf([] { check(LumpObserver{.spread = 0.0}); }),
+  EXPECT_EQ(support::thrownMessage([] { check(LumpObserver{.spread = 0.0}); }),
             "a lump's observer: spread = 0 must be above 0");
-  EXPECT_EQ(support::messageOf([] { check(LumpObserver{.taxels = 17}); }),
+  EXPECT_EQ(support::thrownMessage([] { check(LumpObserver{.taxels = 17}); }),
             "a lump's observer: taxels = 17 is out of range: 2 to 16, or 0");
 }
 

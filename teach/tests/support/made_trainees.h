@@ -33,16 +33,16 @@ class MadeTrainees {
  public:
   explicit MadeTrainees(training::Store& store, const std::string& class_id = "osteo-1") : store_(store) {
     station_ = id();
-    store_.keep(training::StationRow{.id = station_, .name = "Room 2", .device = "simulated hand"});
-    store_.keep(training::ClassRow{.id = class_id, .label = "First year"});
-    store_.keep(training::protocolRowOf(protocol_));
+    store_.save(training::StationRow{.id = station_, .name = "Room 2", .device = "simulated hand"});
+    store_.save(training::ClassRow{.id = class_id, .label = "First year"});
+    store_.save(training::makeProtocolRow(protocol_));
     class_id_ = class_id;
   }
 
   training::Uuid add(std::uint64_t seed, const MadeCourse& course = {}) {
     random_ = Random(seed);
-    const training::Uuid trainee = training::pseudonymOf(class_id_, training::codeOf(seed));
-    store_.keep(training::TraineeRow{.id = trainee, .class_id = class_id_, .created_ms = kBegin, .consent = true});
+    const training::Uuid trainee = training::derivePseudonym(class_id_, training::makeTraineeCode(seed));
+    store_.save(training::TraineeRow{.id = trainee, .class_id = class_id_, .created_ms = kBegin, .consent = true});
     for (std::size_t i = 0; i < course.kinds.size(); ++i) {
       const double share =
           course.kinds.size() > 1 ? static_cast<double>(i) / static_cast<double>(course.kinds.size() - 1) : 0.0;
@@ -58,7 +58,7 @@ class MadeTrainees {
 
   training::Uuid id() {
     const std::uint64_t first = random_.bits();
-    return training::uuidOf(kBegin, {first, random_.bits()});
+    return training::makeUuidV7(kBegin, {first, random_.bits()});
   }
   double between(double low, double high) { return low + (high - low) * random_.uniform(); }
 
@@ -77,13 +77,13 @@ class MadeTrainees {
     std::vector<training::Row> rows = {session, row};
     std::int64_t now_ms = start_ms;
     while (!block.finished()) rows.emplace_back(trial(block, row, now_ms, between(0.0, 1.0) < course.skipping));
-    row.keepStateOf(block);
+    row.copyStateFrom(block);
     rows.emplace_back(row);
     rows.emplace_back(training::EventRow{
         .id = id(), .session_id = session.id, .at_ms = now_ms, .kind = "pause", .text = "asked Anna Muster to wait"});
     session.end_ms = now_ms;
     rows.emplace_back(session);
-    store_.keep(rows);
+    store_.save(rows);
   }
 
   training::TrialRow trial(training::Block& block, const training::BlockRow& row, std::int64_t& now_ms, bool skips) {

@@ -143,11 +143,11 @@ TEST(ClassCommand, ACodeIsFoundByTheClassesSecret) {
   const auto made = runPalpate("train results codes --count 1 --class osteo --json", folder.path());
   const auto one = nlohmann::json::parse(made.out)["codes"][0];
   const std::string code = one["code"];
-  EXPECT_NE(one["trainee"], training::pseudonymOf("osteo-1", code));
+  EXPECT_NE(one["trainee"], training::derivePseudonym("osteo-1", code));
   {
     training::Store store(folder / "a.results", training::Store::Open::create_too);
-    store.keep(training::ClassRow{.id = "osteo-1"});
-    store.keep(training::TraineeRow{.id = one["trainee"], .class_id = "osteo-1"});
+    store.save(training::ClassRow{.id = "osteo-1"});
+    store.save(training::TraineeRow{.id = one["trainee"], .class_id = "osteo-1"});
   }
   EXPECT_EQ(runPalpate("train results trainee " + code + " a.results", folder.path()).exit_code, 2);
   EXPECT_EQ(runPalpate("train results trainee " + code + " a.results --class osteo", folder.path()).exit_code, 0);

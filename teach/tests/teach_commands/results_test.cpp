@@ -43,7 +43,7 @@ struct Records {
     trial.file_tick_first = 100;
     trial.file_tick_last = 199;
     rows.insert(rows.end(), {session, block, trial});
-    store.keepAny(rows);
+    store.storeAnyRows(rows);
     RecordingFiles files(store);
     std::filesystem::create_directories(files.folder());
     trace::RecordingWriter writer(files.pathOf(RecordingFiles::nameFor(session.id)),
@@ -75,7 +75,7 @@ TEST(Results, CodesBecomeCardsOrATable) {
   std::set<std::string> codes;
   for (const auto& one : json.at("codes")) {
     codes.insert(one.at("code"));
-    EXPECT_EQ(one.at("trainee"), training::pseudonymOf("osteo-1", one.at("code").get<std::string>()));
+    EXPECT_EQ(one.at("trainee"), training::derivePseudonym("osteo-1", one.at("code").get<std::string>()));
   }
   EXPECT_EQ(codes.size(), 20u);
   EXPECT_EQ(runPalpate("train results codes --count 0").exit_code, 2);
@@ -180,7 +180,7 @@ TEST(Results, OfAClassLieInPostgresAndAreReadWrittenAndForgottenAsInAFile) {
   {
     Store file(records.file, Store::Open::existing);
     classroom::ClassStore database(address);
-    database.keep(file.rows().all());
+    database.save(file.rows().all());
   }
   const std::string quoted = "'" + address + "'";
   for (const char* reading : {"list", "class", "trainee 00000-00000"}) {
@@ -222,7 +222,7 @@ TEST(Results, OfAClassAreWholeWithoutTheRecordingFilesThatLieAtItsStations) {
     Store station(records.file, Store::Open::existing);
     std::vector<classroom::SentRow> rows;
     for (training::AnyRow& row : station.rows().all()) rows.push_back({std::move(row)});
-    classroom::fileSink(records.folder / "class.results")->keep(rows);
+    classroom::fileSink(records.folder / "class.results")->save(rows);
     trial = station.trials(station.blocks(station.sessions(records.anna.id).front().id).front().id).front().id;
   }
   std::filesystem::remove_all(records.folder / "sessions");

@@ -24,7 +24,7 @@ class TrainCommand : public testing::Test {
 };
 
 TEST_F(TrainCommand, RefusesACodeWithATypingErrorBeforeAnythingOpens) {
-  std::string code = training::codeOf(42);
+  std::string code = training::makeTraineeCode(42);
   code.back() = code.back() == '0' ? '1' : '0';
   const auto result = train("--records r.results --code " + code, folder.path());
   EXPECT_EQ(result.exit_code, 2);

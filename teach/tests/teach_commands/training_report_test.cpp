@@ -68,7 +68,7 @@ struct KeptRecords {
   ~KeptRecords() { fs::remove_all(path); }
   KeptRecords(const KeptRecords&) = delete;
   KeptRecords& operator=(const KeptRecords&) = delete;
-  fs::path fileOf(int trainees) const { return path / (std::to_string(trainees) + ".results"); }
+  fs::path recordsFile(int trainees) const { return path / (std::to_string(trainees) + ".results"); }
 };
 
 class TrainingReport : public testing::Test {
@@ -96,11 +96,11 @@ class TrainingReport : public testing::Test {
       fs::create_directories(kept().path);
       for (int i = 0; i <= trainees; ++i) {
         if (last_of.contains(i)) continue;
-        if (i > 0) fs::copy_file(kept().fileOf(i - 1), kept().fileOf(i));
-        last_of[i] = addTrainees(kept().fileOf(i), i, i, {});
+        if (i > 0) fs::copy_file(kept().recordsFile(i - 1), kept().recordsFile(i));
+        last_of[i] = addTrainees(kept().recordsFile(i), i, i, {});
       }
     }
-    fs::copy_file(kept().fileOf(trainees), records(), fs::copy_options::overwrite_existing);
+    fs::copy_file(kept().recordsFile(trainees), records(), fs::copy_options::overwrite_existing);
     return last_of.at(trainees);
   }
 
@@ -252,7 +252,7 @@ TEST_F(TrainingReport, APageHoldsTheNumbersThatJsonPrints) {
 
 TEST_F(TrainingReport, ATraineeIsFoundByCodeOrPseudonymAndCalledByTheCodeOnlyIfItWasTyped) {
   const training::Uuid trainee = make(3);
-  const std::string code = training::codeOf(3);
+  const std::string code = training::makeTraineeCode(3);
   EXPECT_TRUE(hasWords(wordsOf("--trainee " + code), "Training report: trainee " + code));
   EXPECT_EQ(numbers("--trainee " + code)["trainees"][0]["trainee"], trainee.substr(0, 8));
   const std::string by_pseudonym = wordsOf("--trainee " + trainee.substr(0, 8));
@@ -264,7 +264,7 @@ TEST_F(TrainingReport, ATraineeIsFoundByCodeOrPseudonymAndCalledByTheCodeOnlyIfI
 }
 
 TEST_F(TrainingReport, ATraineeSeesOthersQuartilesOnlyWhereFiveStandBehindThem) {
-  const std::string code = training::codeOf(1);
+  const std::string code = training::makeTraineeCode(1);
   make(4);
   EXPECT_TRUE(numbers("--trainee " + code)["others"].empty());
   make(5);
@@ -300,7 +300,7 @@ TEST_F(TrainingReport, NoTextOfAPictureCoversAnother) {
   const auto& trainee = report.statistics.trainees.front();
   pictures.push_back(app::fitPicture({&trainee.points.front(), &trainee.points.back()}));
   for (const app::TrainingPicture& picture : pictures) {
-    const std::vector<figures::DrawnText> texts = figures::textsOf(picture.figure);
+    const std::vector<figures::DrawnText> texts = figures::collectDrawnTexts(picture.figure);
     for (std::size_t i = 0; i < texts.size(); ++i) {
       for (std::size_t j = i + 1; j < texts.size(); ++j) {
         const figures::DrawnText& a = texts[i];

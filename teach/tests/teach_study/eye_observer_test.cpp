@@ -32,8 +32,8 @@ EyeMeasurement someEye() {
 TEST(EyeObserver, ADPrimeIsTheDifferenceOverTheReadersNoiseAndTheSpreadOfPlaces) {
   const EyeNoise noise{.floor_px = 3.0, .share = 0.4};  // of 10 px: 5
   EXPECT_NEAR(noise.of(10.0), 5.0, 1e-12);
-  EXPECT_NEAR(dPrimeOf({10.0, 10.0}, {5.0, 5.0}, noise), 1.0, 1e-12);
-  EXPECT_NEAR(dPrimeOf({8.0, 12.0}, {3.0, 7.0}, noise), 5.0 / std::sqrt(8.0 + 25.0), 1e-12);
+  EXPECT_NEAR(computeDPrime({10.0, 10.0}, {5.0, 5.0}, noise), 1.0, 1e-12);
+  EXPECT_NEAR(computeDPrime({8.0, 12.0}, {3.0, 7.0}, noise), 5.0 / std::sqrt(8.0 + 25.0), 1e-12);
 }
 
 TEST(EyeObserver, FindsSmallerChangesTheLessItsEyeErrs) {

@@ -126,7 +126,7 @@ TEST(LumpStudy, IsTheSameEachTimeAndOthersWithAnotherSeed) {
 
 TEST(LumpStudy, TellsProgramsWhatIsFittedAndWhatIsPredicted) {
   const StudyPage page = lumpStudy().run({.quick = true, .cases = 20});
-  const auto json = nlohmann::json::parse(jsonOf(page));
+  const auto json = nlohmann::json::parse(toJson(page));
   for (const char* name : {"size_1_0", "size_0_3", "hard", "soft", "medium", "deep"}) {
     EXPECT_TRUE(json["figures"]["later"][name].is_number()) << name;
     EXPECT_TRUE(json["printed"]["later"][name].is_number()) << name;

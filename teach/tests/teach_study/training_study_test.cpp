@@ -74,7 +74,7 @@ bool allMet(const TrainingMeasurement& found) {
 }  // namespace
 
 TEST(TrainingStudy, ACellIsBiasSpreadAndCoverage) {
-  const RecoveryCell cell = cellOf(
+  const RecoveryCell cell = summariseCell(
       0.20, {reportedAs(0.22, 0.15, 0.3), reportedAs(0.20, 0.21, 0.3), reportedAs(0.24, 0.2, 0.3)}, {20, 30, 40});
   EXPECT_NEAR(cell.bias_points, 2.0, 1e-12);
   EXPECT_NEAR(cell.coverage, 2.0 / 3.0, 1e-12);

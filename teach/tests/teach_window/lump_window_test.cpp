@@ -127,7 +127,7 @@ TEST_F(LumpWindow, AHandThatFeelsIsNotHelpedByTheEye) {
   TrainingSeat stage(records, training::SessionKind::lump_exam, training::builtInLumpProtocol());
   start(stage);
   const LumpView view{.session = stage.training->lumpSession(), .by_mouse = false};
-  EXPECT_FALSE(lumpScreenOf(view).shows_sink);
+  EXPECT_FALSE(makeLumpScreen(view).shows_sink);
   stage.viewer->finish();
 }
 

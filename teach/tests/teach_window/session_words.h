@@ -28,7 +28,7 @@ class WordsOfSession {
     view.session = &session;
     view.picked = picked;
     view.now = {.s = s};
-    return screenOf(view);
+    return makeTrainingScreen(view);
   }
   void pressAll(int but = 0) {
     for (const training::Site& site : session.plan().sites.sites) {

@@ -49,7 +49,7 @@ Screens choices(const training::Protocol& protocol) {
     TrainingView view = frontDesk(TrainingStage::choice);
     view.offers = offersFor(past, protocol, now_ms);
     view.notice = tr("Saved.");
-    screens.push_back({name, screenOf(view)});
+    screens.push_back({name, makeTrainingScreen(view)});
   };
   add("choice of a beginner", 0);
   past.kinds[SessionKind::pre_test] = {.finished = 1};
@@ -66,12 +66,12 @@ Screens frontDeskScreens() {
       {"sign in", TrainingStage::sign_in},   {"new code", TrainingStage::new_code},
       {"own code", TrainingStage::own_code}, {"what is kept", TrainingStage::consent},
       {"hand", TrainingStage::hand},         {"thimble", TrainingStage::thimble}};
-  for (const auto& [name, stage] : stages) screens.push_back({name, screenOf(frontDesk(stage))});
+  for (const auto& [name, stage] : stages) screens.push_back({name, makeTrainingScreen(frontDesk(stage))});
   TrainingView wrong = frontDesk(TrainingStage::sign_in);
   wrong.notice = tr("This is not a code. Check each letter, then try again.");
-  screens.push_back({"typing error", screenOf(wrong)});
+  screens.push_back({"typing error", makeTrainingScreen(wrong)});
   wrong.typed.clear();
-  screens.push_back({"empty code", screenOf(wrong)});
+  screens.push_back({"empty code", makeTrainingScreen(wrong)});
   for (const training::Protocol& protocol : {training::builtInProtocol(), training::builtInLumpProtocol()}) {
     for (NamedScreen& choice : choices(protocol)) screens.push_back(std::move(choice));
   }
@@ -84,7 +84,7 @@ Screens frontDeskScreens() {
     view.over = which;
     view.trouble = "/home/class/palpate.results: the disk is full";
     view.message = "Please stop after this block and come to the front.";
-    screens.push_back({name, screenOf(view)});
+    screens.push_back({name, makeTrainingScreen(view)});
   }
   return screens;
 }
@@ -143,7 +143,7 @@ Screens lumpScreens(SessionKind kind) {
     view.named = named;
     view.marks = !on_body ? 0 : std::max(named + session.shown().size(), std::size_t{1});
     if (seen.insert(session.said().text).second) {
-      screens.push_back({fmt::format("{}, {}", wordFor(kind), session.said().text), lumpScreenOf(view)});
+      screens.push_back({fmt::format("{}, {}", wordFor(kind), session.said().text), makeLumpScreen(view)});
     }
     if (session.screen() != LumpScreen::trial) {
       session.next(now);
@@ -188,7 +188,7 @@ class TrainingTranslations : public testing::TestWithParam<const char*> {
 
   /// What is written over the body is not covered by the column of buttons.
   static void expectWordsBesideTheColumn(const std::string& name) {
-    for (const DrawnText& text : textsOf(*ImGui::GetBackgroundDrawList())) {
+    for (const DrawnText& text : collectDrawnTexts(*ImGui::GetBackgroundDrawList())) {
       const bool fits = text.low.x >= 0.0f && text.high.x <= kRoomOfBody;
       if (!fits) std::cout << "overflow: " << GetParam() << ", " << name << ", mark: \"" << text.words << "\" is cut\n";
       EXPECT_TRUE(fits) << name << ": " << text.words;

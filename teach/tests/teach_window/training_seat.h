@@ -22,7 +22,7 @@
 
 namespace palpate::viewer {
 
-inline std::string someCode(std::uint64_t bits = 0x1234567) { return training::codeOf(bits); }
+inline std::string someCode(std::uint64_t bits = 0x1234567) { return training::makeTraineeCode(bits); }
 
 inline window::InputEvent pressOf(window::Key key, window::Modifiers modifiers = {}) {
   window::InputEvent event;

@@ -193,7 +193,7 @@ TEST(TrainingWords, WhileTheBodyOfATrialIsMadeNothingCanBeAnswered) {
   view.session = &somebody.session;
   view.picked = 3;
   view.waiting = true;
-  const TrainingScreen screen = screenOf(view);
+  const TrainingScreen screen = makeTrainingScreen(view);
   EXPECT_EQ(screen.notice, kOneMoment);
   EXPECT_FALSE(screen.picks_sites);
   EXPECT_FALSE(screen.time_left);
@@ -323,8 +323,8 @@ TEST_F(TrainingDoor, MakesACodeForWhoeverHasNone) {
 TEST_F(TrainingDoor, GoesStraightToWhatWasAskedFor) {
   SignIn door = signIn({.code = someCode(), .kind = SessionKind::exam});
   agree(door);
-  EXPECT_EQ(door.takeChosen(), SessionKind::exam);
-  EXPECT_EQ(door.takeChosen(), std::nullopt);
+  EXPECT_EQ(door.consumeChoice(), SessionKind::exam);
+  EXPECT_EQ(door.consumeChoice(), std::nullopt);
   door.comeBack();
   EXPECT_EQ(door.stage(), TrainingStage::choice);
 }
@@ -340,7 +340,7 @@ TEST(TrainingKeys, NoKeyOfTheWindowThatTellsSomethingGetsThrough) {
   for (const window::KeyBinding& binding : window::keyTable()) {
     for (const window::Chord& chord : {binding.chord, binding.also}) {
       if (chord.key == Key::none) continue;
-      const auto stroke = strokeOf(pressOf(chord.key, chord.modifiers), somebody.screen());
+      const auto stroke = interpretInput(pressOf(chord.key, chord.modifiers), somebody.screen());
       if (stroke.kind != TrainingStroke::Kind::pass) continue;
       EXPECT_TRUE(harmless.contains(binding.action)) << binding.name;
     }
@@ -354,7 +354,7 @@ TEST(TrainingKeys, EveryButtonOfEveryScreenCanBePressedWithoutAMouse) {
       TrainingScreen screen = somebody.screen(3);
       std::set<TrainingAct> reached;
       for (const Key key : {Key::enter, Key::space, Key::escape, window::key('P')}) {
-        reached.insert(strokeOf(pressOf(key), screen).click.act);
+        reached.insert(interpretInput(pressOf(key), screen).click.act);
       }
       for (const TrainingButton& button : screen.buttons) EXPECT_TRUE(reached.contains(button.act)) << button.label;
       if (somebody.session.screen() == Screen::trial) {
@@ -369,9 +369,9 @@ TEST(TrainingKeys, EveryButtonOfEveryScreenCanBePressedWithoutAMouse) {
 
 TEST(TrainingKeys, EscAtTheSignInLeadsBackWhereAStartPageIs) {
   TrainingView view;
-  EXPECT_EQ(strokeOf(pressOf(Key::escape), screenOf(view)).kind, TrainingStroke::Kind::nothing);
+  EXPECT_EQ(interpretInput(pressOf(Key::escape), makeTrainingScreen(view)).kind, TrainingStroke::Kind::nothing);
   view.leads_back = true;
-  EXPECT_EQ(strokeOf(pressOf(Key::escape), screenOf(view)).click.act, TrainingAct::no);
+  EXPECT_EQ(interpretInput(pressOf(Key::escape), makeTrainingScreen(view)).click.act, TrainingAct::no);
 }
 
 TEST(TrainingKeys, ArrowsWalkFromPlaceToPlaceOnBothSides) {
@@ -389,10 +389,10 @@ TEST(TrainingKeys, FocusSkipsWhatCannotBeChosen) {
   screen.buttons = {{.act = TrainingAct::choose, .value = 0},
                     {.act = TrainingAct::choose, .value = 1, .enabled = false},
                     {.act = TrainingAct::choose, .value = 2}};
-  EXPECT_EQ(strokeOf(pressOf(Key::down), screen).index, 2u);
-  EXPECT_EQ(strokeOf(pressOf(Key::up), screen).index, 2u);
+  EXPECT_EQ(interpretInput(pressOf(Key::down), screen).index, 2u);
+  EXPECT_EQ(interpretInput(pressOf(Key::up), screen).index, 2u);
   screen.focus = 1;
-  EXPECT_EQ(strokeOf(pressOf(Key::enter), screen).kind, TrainingStroke::Kind::nothing);
+  EXPECT_EQ(interpretInput(pressOf(Key::enter), screen).kind, TrainingStroke::Kind::nothing);
 }
 
 // --- speech
@@ -543,10 +543,10 @@ TEST_F(TrainingWindow, OfAClassSaysAnewWhoSitsAndForHowLongThingsAreKept) {
   plan.port = 1;  // where no broker listens
   plan.retention = {.days = 30, .samples_days = 10};
   const classroom::ClassFolder made = classroom::makeClassFolder(folder / "class", plan);
-  const training::TraineeRow known{training::pseudonymOf("osteo-1", someCode()), "osteo-1", 1, "left", true, ""};
+  const training::TraineeRow known{training::derivePseudonym("osteo-1", someCode()), "osteo-1", 1, "left", true, ""};
   {  // was here years ago, and the class knows all of it
     training::Store store(records, training::Store::Open::create_too);
-    store.keep(known);
+    store.save(known);
     store.fillOutbox(true);
     for (const training::OutboxEntry& entry : store.waiting(100)) store.acknowledged({&entry.row, 1});
   }

@@ -6,13 +6,13 @@
 namespace palpate::viewer {
 namespace {
 
-TrialWorld::Body bodyOf(int trial, int site) { return {training::HiddenNow{site, 0.5}, trial}; }
+TrialWorld::Body trialBody(int trial, int site) { return {training::HiddenNow{site, 0.5}, trial}; }
 
 TEST(TrialWorld, IsFeltWithTheFirstTickOnAWorldThatIsTheRequestedOne) {
   TrialWorld world;
   EXPECT_FALSE(world.waiting()) << "nothing has been requested";
   EXPECT_FALSE(world.feel(3));
-  EXPECT_TRUE(world.request(bodyOf(1, 4)));
+  EXPECT_TRUE(world.request(trialBody(1, 4)));
   EXPECT_TRUE(world.waiting());
   EXPECT_FALSE(world.feel(4)) << "the servo has taken nothing yet";
   world.taken(true);
@@ -25,7 +25,7 @@ TEST(TrialWorld, IsFeltWithTheFirstTickOnAWorldThatIsTheRequestedOne) {
 
 TEST(TrialWorld, AnotherWorldThatComesInBetweenIsNotTheRequestedOne) {
   TrialWorld world;
-  world.request(bodyOf(1, 4));
+  world.request(trialBody(1, 4));
   world.taken(true);
   world.taken(false);
   EXPECT_FALSE(world.feel(1));
@@ -38,12 +38,12 @@ TEST(TrialWorld, AnotherWorldThatComesInBetweenIsNotTheRequestedOne) {
 
 TEST(TrialWorld, TheNextTrialIsAnotherBodyEvenAtTheSamePlace) {
   TrialWorld world;
-  EXPECT_TRUE(world.request(bodyOf(1, 4)));
-  EXPECT_FALSE(world.request(bodyOf(1, 4))) << "it is on its way";
+  EXPECT_TRUE(world.request(trialBody(1, 4)));
+  EXPECT_FALSE(world.request(trialBody(1, 4))) << "it is on its way";
   world.taken(true);
   world.feel(1);
-  EXPECT_FALSE(world.request(bodyOf(1, 4))) << "it is there";
-  EXPECT_TRUE(world.request(bodyOf(2, 4)));
+  EXPECT_FALSE(world.request(trialBody(1, 4))) << "it is there";
+  EXPECT_TRUE(world.request(trialBody(2, 4)));
   EXPECT_TRUE(world.waiting());
   EXPECT_FALSE(world.feel(1)) << "the world of the trial before";
   world.taken(true);
@@ -53,7 +53,7 @@ TEST(TrialWorld, TheNextTrialIsAnotherBodyEvenAtTheSamePlace) {
 
 TEST(TrialWorld, AnInterruptedTrialGoesOnAndDoesNotBeginAgain) {
   TrialWorld world;
-  world.request(bodyOf(1, 4));
+  world.request(trialBody(1, 4));
   world.taken(true);
   ASSERT_TRUE(world.feel(1));
   EXPECT_TRUE(world.begins());
@@ -61,11 +61,11 @@ TEST(TrialWorld, AnInterruptedTrialGoesOnAndDoesNotBeginAgain) {
   EXPECT_TRUE(world.request({})) << "paused: nothing is to be felt";
   world.taken(true);
   ASSERT_TRUE(world.feel(2));
-  EXPECT_TRUE(world.request(bodyOf(1, 4)));
+  EXPECT_TRUE(world.request(trialBody(1, 4)));
   world.taken(true);
   ASSERT_TRUE(world.feel(3));
   EXPECT_FALSE(world.begins()) << "it has the time that was left";
-  world.request(bodyOf(2, 4));
+  world.request(trialBody(2, 4));
   world.taken(true);
   ASSERT_TRUE(world.feel(4));
   EXPECT_TRUE(world.begins());
@@ -73,17 +73,17 @@ TEST(TrialWorld, AnInterruptedTrialGoesOnAndDoesNotBeginAgain) {
 
 TEST(TrialWorld, WhatCouldNotBeMadeIsMadeAnewAndTheNextSessionBeginsAfresh) {
   TrialWorld world;
-  world.request(bodyOf(1, 4));
+  world.request(trialBody(1, 4));
   world.fail();
   EXPECT_TRUE(world.waiting());
-  EXPECT_TRUE(world.request(bodyOf(1, 4)));
+  EXPECT_TRUE(world.request(trialBody(1, 4)));
   world.taken(true);
   ASSERT_TRUE(world.feel(7));
   ASSERT_TRUE(world.begins());
   world.clear();
   EXPECT_FALSE(world.waiting());
   EXPECT_FALSE(world.requested());
-  EXPECT_TRUE(world.request(bodyOf(1, 4))) << "the first trial of another session";
+  EXPECT_TRUE(world.request(trialBody(1, 4))) << "the first trial of another session";
   world.taken(true);
   EXPECT_FALSE(world.feel(7)) << "worlds are counted on";
   EXPECT_TRUE(world.feel(8));

@@ -40,7 +40,7 @@ Tested tested(double threshold, int bursts, int length, std::uint64_t seed) {
   std::vector<Answer> answers;
   while (!block.finished()) {
     const PlannedTrial trial = block.next();
-    TrialOutcome outcome = answerOf(trainee, trial, random);
+    TrialOutcome outcome = simulateAnswer(trainee, trial, random);
     if (away[answers.size()]) {
       outcome.correct = random.uniform() < 1.0 / 12;
       outcome.answer = outcome.correct ? trial.site : trial.site % 12 + 1;
@@ -49,22 +49,22 @@ Tested tested(double threshold, int bursts, int length, std::uint64_t seed) {
     block.answer(outcome);
   }
   const ThresholdSummary summary = block.result().threshold;
-  return {summary, attentionOf(answers, 12, summary.median, meanSlope(block.posterior()))};
+  return {summary, checkAttention(answers, 12, summary.median, meanSlope(block.posterior()))};
 }
 
-double thresholdOf(int pair) { return 0.10 + 0.04 * (pair % 5); }
+double pairThreshold(int pair) { return 0.10 + 0.04 * (pair % 5); }
 
 struct Shares {
   int tests = 0, warned = 0, pairs = 0, changed = 0, changed_without_warning = 0;
 };
 
 /// People who do not change, tested twice.
-Shares sharesOf(int pairs, int bursts, int length) {
+Shares simulateShares(int pairs, int bursts, int length) {
   Shares shares;
   for (int i = 0; i < pairs; ++i) {
     const auto seed = 100 * static_cast<std::uint64_t>(bursts) + 10'000 * static_cast<std::uint64_t>(i);
-    const Tested before = tested(thresholdOf(i), bursts, length, seed + 1);
-    const Tested now = tested(thresholdOf(i), bursts, length, seed + 2);
+    const Tested before = tested(pairThreshold(i), bursts, length, seed + 1);
+    const Tested now = tested(pairThreshold(i), bursts, length, seed + 2);
     shares.tests += 2;
     shares.warned += static_cast<int>(before.attention.warned()) + static_cast<int>(now.attention.warned());
     ++shares.pairs;
@@ -76,12 +76,12 @@ Shares sharesOf(int pairs, int bursts, int length) {
 }
 
 TEST(Attention, AttentivePeopleAreHardlyEverWarned) {
-  const Shares shares = sharesOf(100, 0, 0);
+  const Shares shares = simulateShares(100, 0, 0);
   EXPECT_LE(shares.warned, 4) << "of " << shares.tests << ": 2 %";
 }
 
 TEST(Attention, BurstsAreSeenAndNotCalledChange) {
-  const Shares shares = sharesOf(60, 2, 5);
+  const Shares shares = simulateShares(60, 2, 5);
   EXPECT_GE(shares.warned, shares.tests / 2);
   EXPECT_LE(shares.changed_without_warning, 1) << "of " << shares.changed << " called changed";
 }
@@ -90,7 +90,7 @@ TEST(Attention, MissesOfEasyChangesInARowCountAndThoseNearTheThresholdDoNot) {
   const auto answered = [](double change, int misses) {
     std::vector<Answer> answers;
     for (int i = 0; i < 40; ++i) answers.push_back({change, i < 10 || i >= 10 + misses, 12});
-    return attentionOf(answers, 12, 0.15, 1.8);
+    return checkAttention(answers, 12, 0.15, 1.8);
   };
   EXPECT_TRUE(answered(0.5, 2).warned());
   EXPECT_EQ(answered(0.5, 2).easy, 40);

@@ -17,7 +17,7 @@ namespace palpate::training {
 namespace {
 
 /// Site and change of every trial of a block that is answered wrong every third time.
-std::vector<std::pair<int, double>> trialsOf(Block block, int from = 0) {
+std::vector<std::pair<int, double>> simulateTrials(Block block, int from = 0) {
   std::vector<std::pair<int, double>> trials;
   for (int i = from; !block.finished(); ++i) {
     trials.emplace_back(block.next().site, block.next().change);
@@ -74,8 +74,8 @@ TEST(Block, FindsThresholdsWithoutBiasAndSaysHowSurely) {
 TEST(Block, PlansTheSameTrialsFromTheSameSeedAndOthersFromAnother) {
   for (const Method method : kMethods) {
     const BlockSettings settings{.method = method, .warm_up = 2, .easy = 3};
-    EXPECT_EQ(trialsOf(Block(settings, 5)), trialsOf(Block(settings, 5))) << wordFor(method);
-    EXPECT_NE(trialsOf(Block(settings, 5)), trialsOf(Block(settings, 6))) << wordFor(method);
+    EXPECT_EQ(simulateTrials(Block(settings, 5)), simulateTrials(Block(settings, 5))) << wordFor(method);
+    EXPECT_NE(simulateTrials(Block(settings, 5)), simulateTrials(Block(settings, 6))) << wordFor(method);
   }
 }
 
@@ -83,7 +83,7 @@ TEST(Block, GoesOnWithTheSameTrialsWhereItWasPutDown) {
   for (const Method method : kMethods) {
     for (const SiteDraw draw : {SiteDraw::independent, SiteDraw::balanced}) {
       const BlockSettings settings{.method = method, .draw = draw, .warm_up = 3, .easy = 4};
-      const auto whole = trialsOf(Block(settings, 9));
+      const auto whole = simulateTrials(Block(settings, 9));
       for (const int cut : {0, 2, 11, 38}) {
         Block block(settings, 9);
         for (int i = 0; i < cut; ++i) {
@@ -92,7 +92,7 @@ TEST(Block, GoesOnWithTheSameTrialsWhereItWasPutDown) {
         Block again = Block::resumed(settings, block.state());
         EXPECT_EQ(again.state(), block.state());
         EXPECT_EQ(again.answered(), cut);
-        const auto rest = trialsOf(std::move(again), cut);
+        const auto rest = simulateTrials(std::move(again), cut);
         EXPECT_TRUE(std::equal(rest.begin(), rest.end(), whole.begin() + cut, whole.end()))
             << wordFor(method) << ", " << cut;
       }
@@ -106,7 +106,7 @@ TEST(Block, RefusesAStateThatIsNotItsOwn) {
   block.answer({.answer = 2, .correct = false});
   const std::string state = block.state();
   const auto why = [&](const BlockSettings& of, const std::string& text) {
-    return support::messageOf([&] { Block::resumed(of, text); });
+    return support::thrownMessage([&] { Block::resumed(of, text); });
   };
   EXPECT_EQ(why({.warm_up = 1}, state), "state of a block: the protocol has changed since it was begun");
   EXPECT_EQ(why(settings, ""), "state of a block: not JSON, or no object");
@@ -123,7 +123,7 @@ TEST(Block, RefusesAStateThatIsNotItsOwn) {
 }
 
 TEST(Block, RefusesSettingsThatMakeNoSense) {
-  const auto why = [](const BlockSettings& settings) { return support::messageOf([&] { Block(settings, 1); }); };
+  const auto why = [](const BlockSettings& settings) { return support::thrownMessage([&] { Block(settings, 1); }); };
   EXPECT_EQ(why({}), kNoError);
   EXPECT_EQ(why({.levels = {0.2, 0.1}}), "block: levels must rise");
   EXPECT_EQ(why({.levels = {0.2, 0.9}}), "block: levels must lie over 0 and up to 0.8");
@@ -270,7 +270,7 @@ TEST(Exam, GivesNoVerdictBeforeItIsSure) {
         EXPECT_EQ(block.result().verdict, Verdict::none) << "not before the end";
         const double below = block.posterior().probabilityBelow(0.2);
         EXPECT_TRUE(block.answered() < 10 || (below <= 0.95 && below >= 0.05)) << "it should have ended";
-        block.answer(answerOf({.threshold = threshold}, block.next(), random));
+        block.answer(simulateAnswer({.threshold = threshold}, block.next(), random));
       }
       const BlockResult result = block.result();
       const double below = result.probability_below_mark;

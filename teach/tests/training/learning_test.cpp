@@ -16,7 +16,7 @@ std::vector<Answer> answersAt(double threshold, std::uint64_t seed, int trials =
   Random random(seed + 500);
   while (!block.finished()) {
     const PlannedTrial trial = block.next();
-    const TrialOutcome outcome = answerOf({.threshold = threshold}, trial, random);
+    const TrialOutcome outcome = simulateAnswer({.threshold = threshold}, trial, random);
     answers.push_back({trial.change, outcome.correct, 12});
     block.answer(outcome);
   }

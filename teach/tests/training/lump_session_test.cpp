@@ -70,8 +70,8 @@ TEST(LumpBodies, HideLumpsWhereThereIsRoomAndNowhereElse) {
 TEST(LumpBodies, ALargeHardShallowLumpIsPlainerThanASmallSoftDeepOne) {
   const LumpSessionPlan plan = planOfLumps(SessionKind::lump);
   const Vec2 place = plan.bodies->places()[plan.bodies->places().size() / 2];
-  const double plain = plan.bodies->cueOf({.place_mm = place, .size = 2, .depth = 0, .hardness = 2});
-  const double faint = plan.bodies->cueOf({.place_mm = place, .size = 0, .depth = 2, .hardness = 0});
+  const double plain = plan.bodies->computeClarity({.place_mm = place, .size = 2, .depth = 0, .hardness = 2});
+  const double faint = plan.bodies->computeClarity({.place_mm = place, .size = 0, .depth = 2, .hardness = 0});
   EXPECT_GT(plain, 10.0);
   EXPECT_LT(faint, 1.0);
   EXPECT_GT(faint, 0.0);
@@ -115,7 +115,7 @@ TEST(LumpSession, APauseHidesNothingTakesNoAnswerAndIsNoTimeOfTheBody) {
   ASSERT_EQ(session.trials().size(), 1U);
   EXPECT_DOUBLE_EQ(session.trials().front().seconds, 4.0);
   std::vector<std::string> events;
-  for (const Row& row : session.takeRows()) {
+  for (const Row& row : session.drainRows()) {
     if (const auto* event = std::get_if<EventRow>(&row)) events.push_back(event->kind);
   }
   EXPECT_EQ(events, (std::vector<std::string>{"pause", "resume"}));
@@ -147,9 +147,9 @@ TEST(LumpSession, EveryAnswerIsInTheRowsAndASittingGoesOnFromIt) {
   session.next(at(1));
   session.answer(Vec2(session.hidden().front().place_mm), at(2));
   session.answer(2, at(3));
-  session.takeRows();
+  session.drainRows();
   session.answer(1, at(4));
-  const std::vector<Row> rows = session.takeRows();
+  const std::vector<Row> rows = session.drainRows();
   ASSERT_EQ(rows.size(), 1U) << "one answer, one row";
   plan.resumed = std::get<BlockRow>(rows.front());
   plan.row.id = "018f3c1e-0000-7000-8000-000000000002";
@@ -162,7 +162,7 @@ TEST(LumpSession, EveryAnswerIsInTheRowsAndASittingGoesOnFromIt) {
 
 TEST(LumpSession, NeedsAProtocolWithLumps) {
   const Protocol plain = builtInProtocol();
-  const std::string message = support::messageOf([&] { LumpBodies(trunk(), plain, sitesOn(*trunk(), plain)); });
+  const std::string message = support::thrownMessage([&] { LumpBodies(trunk(), plain, sitesOn(*trunk(), plain)); });
   EXPECT_NE(message.find("[lump]"), std::string::npos) << message;
 }
 
@@ -176,11 +176,11 @@ TEST(LumpTrainee, OneWhoMissesNothingFindsWhatIsPlain) {
   bench.sites = sitesOn(*trunk(), bench.protocol);
   bench.recording_files = false;
   const StationRow station = simulatedStation(kSessionStartMs);
-  store.keep(station);
-  store.keep(protocolRowOf(bench.protocol));
+  store.save(station);
+  store.save(makeProtocolRow(bench.protocol));
   bench.station = station.id;
   const TraineeRow trainee = simulatedTrainee("", "7Q2MK9DX", kSessionStartMs, "");
-  store.keep(trainee);
+  store.save(trainee);
   TraineeSession wanted;
   wanted.kind = SessionKind::lump_exam;
   wanted.trainee = trainee.id;
@@ -188,13 +188,13 @@ TEST(LumpTrainee, OneWhoMissesNothingFindsWhatIsPlain) {
   wanted.lump_observer.spread = 0.05;
   wanted.lump_observer.false_alarms = 0.0;
   wanted.most_trials = 2;
-  const SatThrough begun = sitThrough(store, bench, wanted);
+  const SessionOutcome begun = runSession(store, bench, wanted);
   EXPECT_FALSE(begun.block.finished);
   EXPECT_EQ(begun.trials.size(), 2U);
   wanted.most_trials = 0;
   wanted.seed = 2;
   wanted.start_ms += 86'400'000;
-  const SatThrough ended = sitThrough(store, bench, wanted);
+  const SessionOutcome ended = runSession(store, bench, wanted);
   EXPECT_TRUE(ended.resumed);
   EXPECT_TRUE(ended.block.finished);
   EXPECT_EQ(ended.trials.size(), 4U);

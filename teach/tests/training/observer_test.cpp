@@ -12,7 +12,7 @@
 namespace palpate::training {
 namespace {
 
-using support::messageOf;
+using support::thrownMessage;
 
 constexpr int kPlaces = 12;
 
@@ -43,17 +43,18 @@ TEST(Observer, ReadsItsWordsAndSaysThemAgain) {
   EXPECT_EQ(read.lapse, 0.0);
   EXPECT_EQ(read.sites, 8);
   EXPECT_EQ(read.seed, 9u);
-  EXPECT_EQ(observerWords(observerNamed(observerWords(read))), observerWords(read));
+  EXPECT_EQ(formatObserver(observerNamed(formatObserver(read))), formatObserver(read));
   EXPECT_EQ(observerNamed("").weber, ObserverSettings().weber);
 }
 
 TEST(Observer, NamesTheKeyThatItDoesNotTake) {
-  EXPECT_NE(messageOf([] { observerNamed("webber=0.2"); }).find("weber"), std::string::npos);
-  EXPECT_NE(messageOf([] { observerNamed("weber"); }).find("has no value"), std::string::npos);
-  EXPECT_NE(messageOf([] { observerNamed("weber=much"); }).find("weber = 'much' must be a number"), std::string::npos);
-  EXPECT_NE(messageOf([] { observerNamed("lapse=0.9"); }).find("lapse"), std::string::npos);
-  EXPECT_NE(messageOf([] { observerNamed("sites=7.5"); }).find("whole number"), std::string::npos);
-  EXPECT_NE(messageOf([] { observerNamed("weber=0.2,,"); }).find("has no value"), std::string::npos);
+  EXPECT_NE(thrownMessage([] { observerNamed("webber=0.2"); }).find("weber"), std::string::npos);
+  EXPECT_NE(thrownMessage([] { observerNamed("weber"); }).find("has no value"), std::string::npos);
+  EXPECT_NE(thrownMessage([] { observerNamed("weber=much"); }).find("weber = 'much' must be a number"),
+            std::string::npos);
+  EXPECT_NE(thrownMessage([] { observerNamed("lapse=0.9"); }).find("lapse"), std::string::npos);
+  EXPECT_NE(thrownMessage([] { observerNamed("sites=7.5"); }).find("whole number"), std::string::npos);
+  EXPECT_NE(thrownMessage([] { observerNamed("weber=0.2,,"); }).find("has no value"), std::string::npos);
 }
 
 TEST(Observer, IsHalfRightAtItsThreshold) {

@@ -27,7 +27,7 @@ const nlohmann::json& computedElsewhere() {
   return read;
 }
 
-Posterior posteriorOf(const nlohmann::json& sequence) {
+Posterior posteriorFromJson(const nlohmann::json& sequence) {
   Posterior posterior(sequence["choices"].get<int>());
   for (const nlohmann::json& answer : sequence["answers"]) {
     posterior.add({.change = answer["change"].get<double>(),
@@ -44,7 +44,7 @@ TEST(Posterior, EqualsAnIndependentComputation) {
   ASSERT_GE(computedElsewhere()["sequences"].size(), 8u);
   for (const nlohmann::json& sequence : computedElsewhere()["sequences"]) {
     SCOPED_TRACE(sequence["name"].get<std::string>());
-    const Posterior posterior = posteriorOf(sequence);
+    const Posterior posterior = posteriorFromJson(sequence);
     const auto thresholds = sequence["threshold_weights"].get<std::vector<double>>();
     ASSERT_EQ(posterior.thresholdWeights().size(), thresholds.size());
     for (std::size_t i = 0; i < thresholds.size(); ++i) {
@@ -70,7 +70,7 @@ TEST(Posterior, EqualsAnIndependentComputation) {
 TEST(Posterior, TellsWhatALevelIsWorthAsTheDefinitionDoes) {
   for (const nlohmann::json& sequence : computedElsewhere()["sequences"]) {
     SCOPED_TRACE(sequence["name"].get<std::string>());
-    const Posterior posterior = posteriorOf(sequence);
+    const Posterior posterior = posteriorFromJson(sequence);
     const auto levels = sequence["levels"].get<std::vector<double>>();
     const std::vector<double> told = MarginalPsi(levels, posterior).information(posterior);
     for (std::size_t i = 0; i < levels.size(); ++i) {

@@ -72,7 +72,7 @@ struct WrongProtocol {
 class WrongProtocols : public testing::TestWithParam<WrongProtocol> {};
 
 TEST_P(WrongProtocols, AreRefusedWithTheirLineAndInOneLine) {
-  const std::string message = support::messageOf([] { parseProtocol(GetParam().text, "own.toml"); });
+  const std::string message = support::thrownMessage([] { parseProtocol(GetParam().text, "own.toml"); });
   EXPECT_NE(message.find(GetParam().told), std::string::npos) << message;
   EXPECT_EQ(message.find("own.toml:"), 0U) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;

@@ -122,7 +122,7 @@ TEST(MarginalPsi, AsksForTheSameLevelsWhicheverCompilerBuiltIt) {
       const PlannedTrial trial = block.next();
       hash.add(static_cast<std::uint64_t>(trial.site));
       hash.add(static_cast<std::uint64_t>(std::lround(trial.change * 1e9)));
-      block.answer(answerOf({.threshold = 0.05 + 0.02 * static_cast<double>(seed)}, trial, random));
+      block.answer(simulateAnswer({.threshold = 0.05 + 0.02 * static_cast<double>(seed)}, trial, random));
     }
   }
   EXPECT_EQ(hash.value(), 12303592653162343800ull);

@@ -15,7 +15,7 @@ namespace {
 TEST(TraineeCodes, AreReadHoweverTheyAreTyped) {
   Random random(1);
   for (int i = 0; i < 200; ++i) {
-    const std::string code = codeOf(random.bits());
+    const std::string code = makeTraineeCode(random.bits());
     ASSERT_EQ(code.size(), 11u);
     EXPECT_EQ(code[5], '-');
     EXPECT_EQ(codeTyped(code), code);
@@ -34,7 +34,7 @@ TEST(TraineeCodes, EveryWrongLetterAndEverySwapIsNoticed) {
   constexpr std::string_view kLetters = "0123456789ABCDEFGHJKMNPQRSTVWXYZ";
   Random random(2);
   for (int i = 0; i < 50; ++i) {
-    const std::string code = codeOf(random.bits());
+    const std::string code = makeTraineeCode(random.bits());
     for (std::size_t at = 0; at < code.size(); ++at) {
       if (at == 5) continue;
       for (const char letter : kLetters) {
@@ -55,13 +55,13 @@ TEST(TraineeCodes, EveryWrongLetterAndEverySwapIsNoticed) {
 }
 
 TEST(TraineeCodes, PseudonymsDependOnClassAndCodeAlone) {
-  const std::string code = codeOf(123456789);
-  const Uuid pseudonym = pseudonymOf("osteo-1", code);
+  const std::string code = makeTraineeCode(123456789);
+  const Uuid pseudonym = derivePseudonym("osteo-1", code);
   std::string typed = code;
   for (char& c : typed) c = static_cast<char>(std::tolower(c));
-  EXPECT_EQ(pseudonymOf("osteo-1", typed), pseudonym);
-  EXPECT_NE(pseudonymOf("osteo-2", code), pseudonym);
-  EXPECT_NE(pseudonymOf("osteo-1", codeOf(123456788)), pseudonym);
+  EXPECT_EQ(derivePseudonym("osteo-1", typed), pseudonym);
+  EXPECT_NE(derivePseudonym("osteo-2", code), pseudonym);
+  EXPECT_NE(derivePseudonym("osteo-1", makeTraineeCode(123456788)), pseudonym);
   EXPECT_TRUE(isUuid(pseudonym));
   EXPECT_EQ(pseudonym[14], '8');
   EXPECT_NE(std::string("89ab").find(pseudonym[19]), std::string::npos);
@@ -73,15 +73,15 @@ TEST(TraineeCodes, IdsSortByTheTimeOfTheirMaking) {
   std::set<Uuid> ids;
   Uuid last;
   for (std::int64_t ms : {0ll, 1ll, 1'700'000'000'000ll, 1'700'000'000'001ll, 281'474'976'710'655ll}) {
-    const Uuid id = uuidOf(ms, systemRandom());
+    const Uuid id = makeUuidV7(ms, systemRandom());
     EXPECT_TRUE(isUuid(id)) << id;
     EXPECT_EQ(id[14], '7');
     EXPECT_GT(id, last);
     last = id;
   }
-  for (int i = 0; i < 1000; ++i) ids.insert(uuidOf(5, systemRandom()));
+  for (int i = 0; i < 1000; ++i) ids.insert(makeUuidV7(5, systemRandom()));
   EXPECT_EQ(ids.size(), 1000u);
-  EXPECT_EQ(uuidOf(0x0123456789ab, {0, 0}), "01234567-89ab-7000-8000-000000000000");
+  EXPECT_EQ(makeUuidV7(0x0123456789ab, {0, 0}), "01234567-89ab-7000-8000-000000000000");
 }
 
 TEST(TraineeCodes, Sha256IsThatOfTheStandard) {
@@ -90,14 +90,14 @@ TEST(TraineeCodes, Sha256IsThatOfTheStandard) {
 
 TEST(RecordsCodes, WithAClassesSecretNobodyTellsThePseudonymFromTheCard) {
   const std::string key(64, 'a');
-  const std::string code = codeOf(7);
-  EXPECT_EQ(pseudonymOf("osteo-1", code, key), pseudonymOf("osteo-1", " " + code, key));
-  EXPECT_NE(pseudonymOf("osteo-1", code, key), pseudonymOf("osteo-1", code));
-  EXPECT_NE(pseudonymOf("osteo-1", code, key), pseudonymOf("osteo-1", code, std::string(64, 'b')));
-  EXPECT_NE(pseudonymOf("osteo-1", code, key), pseudonymOf("osteo-2", code, key));
-  EXPECT_EQ(pseudonymOf("osteo-1", code, key)[14], '8');
+  const std::string code = makeTraineeCode(7);
+  EXPECT_EQ(derivePseudonym("osteo-1", code, key), derivePseudonym("osteo-1", " " + code, key));
+  EXPECT_NE(derivePseudonym("osteo-1", code, key), derivePseudonym("osteo-1", code));
+  EXPECT_NE(derivePseudonym("osteo-1", code, key), derivePseudonym("osteo-1", code, std::string(64, 'b')));
+  EXPECT_NE(derivePseudonym("osteo-1", code, key), derivePseudonym("osteo-2", code, key));
+  EXPECT_EQ(derivePseudonym("osteo-1", code, key)[14], '8');
   // RFC 4231, test case 2.
-  const auto digest = hmacSha256Of("Jefe", "what do ya want for nothing?");
+  const auto digest = computeHmacSha256("Jefe", "what do ya want for nothing?");
   EXPECT_EQ(digest[0], 0x5b);
   EXPECT_EQ(digest[31], 0x43);
 }

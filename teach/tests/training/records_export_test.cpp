@@ -76,7 +76,7 @@ struct RealSession {
       block.answer({trial.site_answer, trial.correct, 12, true});
       trials.emplace_back(trial);
     }
-    row.keepStateOf(block);
+    row.copyStateFrom(block);
     rows.emplace_back(row);
     rows.insert(rows.end(), trials.begin(), trials.end());
     rows.emplace_back(EventRow{samples::id(5, 1), session.id, session.start_ms, "message", "Well done, Anna Smith!"});
@@ -87,7 +87,7 @@ TEST(RecordsExport, TablesHoldEveryRowAndSayWhatTheyMean) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
   const samples::History history = samples::history(2, 2, 6);
-  store.keepAny(history.rows);
+  store.storeAnyRows(history.rows);
   std::map<std::string, std::vector<std::vector<std::string>>> files;
   for (const ExportedFile& file : csvFiles(store.rows())) files[file.name] = csvCells(file.text);
   EXPECT_EQ(files.at("trials.csv").size(), 1 + history.trials);
@@ -118,7 +118,7 @@ TEST(RecordsExport, OfABlockThatGoesOnNothingTellsWhatComes) {
   Store store(folder / "a.results", Store::Open::create_too);
   const RealSession real(SessionKind::pre_test, 10);
   ASSERT_FALSE(real.row.finished);
-  store.keepAny(real.rows);
+  store.storeAnyRows(real.rows);
   std::string all = jsonText(store.rows()) + xapiText(store.rows(), {});
   for (const ExportedFile& file : csvFiles(store.rows())) all += file.text;
   EXPECT_EQ(all.find(std::to_string(real.session.rng_seed)), std::string::npos);
@@ -131,7 +131,7 @@ TEST(RecordsExport, OfABlockThatGoesOnNothingTellsWhatComes) {
   // Of one that is over, the state is what makes it a result that can be computed again.
   const RealSession over(SessionKind::pre_test, 1000);
   Store other(folder / "b.results", Store::Open::create_too);
-  other.keepAny(over.rows);
+  other.storeAnyRows(over.rows);
   EXPECT_NE(jsonText(other.rows()).find(std::to_string(over.session.rng_seed)), std::string::npos);
 }
 
@@ -139,7 +139,7 @@ TEST(RecordsExport, JsonHoldsTheRowsThemselves) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
   const samples::History history = samples::history(1, 1, 3);
-  store.keepAny(history.rows);
+  store.storeAnyRows(history.rows);
   const auto json = nlohmann::ordered_json::parse(jsonText(store.rows()));
   std::size_t rows = 0;
   for (const AnyRow& row : history.rows) {
@@ -153,7 +153,7 @@ TEST(RecordsExport, StatementsAreOfTheShapeThatRecordStoresTake) {
   Store store(folder / "a.results", Store::Open::create_too);
   const RealSession real(SessionKind::exam, 1000);
   ASSERT_TRUE(real.row.finished);
-  store.keepAny(real.rows);
+  store.storeAnyRows(real.rows);
   const std::string text = xapiText(store.rows(), {"https://school.example/"});
   EXPECT_EQ(text, xapiText(store.rows(), {"https://school.example/"}));
   const auto list = nlohmann::json::parse(text);
@@ -198,7 +198,7 @@ TEST(RecordsVerify, FindsNothingWrongWithWhatWasKept) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
   const RealSession real(SessionKind::pre_test, 25);
-  store.keepAny(real.rows);
+  store.storeAnyRows(real.rows);
   const Verified found = verifyRecords(store);
   EXPECT_EQ(faultsOf(store), "");
   EXPECT_TRUE(found.ok());
@@ -230,7 +230,7 @@ TEST(RecordsVerify, FindsEachThingThatIsWrong) {
     const support::TemporaryFolder folder;
     std::filesystem::remove_all(folder.path());
     Store store(folder / "a.results", Store::Open::create_too);
-    store.keepAny(real.rows);
+    store.storeAnyRows(real.rows);
     store.rows().sql().run(wrong.sql);
     EXPECT_NE(faultsOf(store).find(wrong.says), std::string::npos) << wrong.sql << "\n" << faultsOf(store);
   }
@@ -240,7 +240,7 @@ TEST(RecordsVerify, FindsRecordingFilesThatAreMissingChangedOrNobodys) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
   RealSession real(SessionKind::pre_test, 5);
-  store.keepAny(real.rows);
+  store.storeAnyRows(real.rows);
   RecordingFiles files(store);
   writeFile(folder / "plain", "samples");
   std::filesystem::create_directories(files.folder());
@@ -250,7 +250,7 @@ TEST(RecordsVerify, FindsRecordingFilesThatAreMissingChangedOrNobodys) {
   real.session.file = name;
   real.session.file_sha256 = sha256OfFile(files.pathOf(name));
   const Row row = real.session;
-  store.keep(std::span(&row, 1));
+  store.save(std::span(&row, 1));
   EXPECT_EQ(faultsOf(store), "");
   EXPECT_EQ(verifyRecords(store).recording_files, 1u);
   writeFile(files.folder() / (samples::id(8, 8) + ".session.locked"), "x");

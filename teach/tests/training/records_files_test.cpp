@@ -34,7 +34,7 @@ std::string noise(std::size_t bytes, std::uint64_t seed = 1) {
 /// A file may not be opened, and what it would have become is not there.
 std::string refusedUnlock(const fs::path& file, const TraineeKey& key) {
   const fs::path out = file.string() + ".opened";
-  const std::string words = support::messageOf([&] { unlockFile(file, out, key); });
+  const std::string words = support::thrownMessage([&] { unlockFile(file, out, key); });
   EXPECT_FALSE(fs::exists(out));
   return words;
 }
@@ -156,7 +156,7 @@ struct Station {
 
   explicit Station(bool joined = false) {
     store.fillOutbox(joined);
-    store.keepAny(history.rows);
+    store.storeAnyRows(history.rows);
     for (const TraineeRow& trainee : history.trainees) {
       for (const SessionRow& session : store.sessions(trainee.id)) {
         const fs::path file = files.pathOf(RecordingFiles::nameFor(session.id));
@@ -173,7 +173,7 @@ TEST(RecordingFiles, AreLockedAfterTheSessionAndOpenForAReplay) {
   const SessionRow session = station.store.sessions(station.history.trainees[0].id).front();
   EXPECT_EQ(session.file, "sessions/" + session.id + ".session.locked");
   EXPECT_EQ(session.file_sha256, sha256OfFile(station.files.pathOf(session.file)));
-  EXPECT_EQ(station.files.filesOf(session.id).size(), 1u);  // the open one is gone
+  EXPECT_EQ(station.files.sessionFiles(session.id).size(), 1u);  // the open one is gone
   EXPECT_TRUE(lockedWith(station.files.pathOf(session.file)));
   fs::path where;
   {
@@ -185,7 +185,7 @@ TEST(RecordingFiles, AreLockedAfterTheSessionAndOpenForAReplay) {
   const auto trainee = station.store.trainee(session.trainee_id);
   EXPECT_EQ(station.files.keyOf(session.trainee_id), trainee->key_ref);  // the same for all of theirs
   station.files.vault().destroy(trainee->key_ref);
-  EXPECT_NE(support::messageOf([&] { station.files.open(session); }).find("its key is not in"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { station.files.open(session); }).find("its key is not in"), std::string::npos);
 }
 
 TEST(RecordingFiles, WhatAKilledProgramLeftIsFinishedAndLocked) {
@@ -193,19 +193,19 @@ TEST(RecordingFiles, WhatAKilledProgramLeftIsFinishedAndLocked) {
   SessionRow session = samples::session(station.history.trainees[0], 77);
   session.file = RecordingFiles::nameFor(session.id);
   const Row row = session;
-  station.store.keep(std::span(&row, 1));
+  station.store.save(std::span(&row, 1));
   record(station.files.pathOf(session.file), 40, false);
   EXPECT_EQ(trace::RecordingReader(station.files.open(session).file()).facts().samples, 40u);
   EXPECT_EQ(station.files.lockLeftBehind(), 0);  // somebody may still be writing
   EXPECT_EQ(station.files.lockLeftBehind(0.0), 1);
   const auto locked = station.store.rows().session(session.id);
   EXPECT_EQ(trace::RecordingReader(station.files.open(*locked).file()).facts().samples, 40u);
-  EXPECT_EQ(station.files.filesOf(session.id).size(), 1u);
+  EXPECT_EQ(station.files.sessionFiles(session.id).size(), 1u);
 }
 
 TEST(RecordingFiles, NamesDoNotLeadElsewhere) {
   Station station;
-  EXPECT_NE(support::messageOf([&] { (void)station.files.pathOf("../x"); }).find("leads out"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { (void)station.files.pathOf("../x"); }).find("leads out"), std::string::npos);
 }
 
 std::string blobOf(const Uuid& id) {
@@ -278,7 +278,7 @@ TEST(Purge, ForgetsWhatAClassHasKeptLongEnough) {
   EXPECT_EQ(purge(station.store, monday + 50 * kDay, true).files, 0);
   const Purged counted = purge(station.store, monday + 200 * kDay, false);
   EXPECT_EQ(counted.files, 6);  // after 90 days
-  EXPECT_EQ(station.files.filesOf(station.store.sessions().front().id).size(), 1u);
+  EXPECT_EQ(station.files.sessionFiles(station.store.sessions().front().id).size(), 1u);
   EXPECT_EQ(purge(station.store, monday + 200 * kDay, true).files, 6);
   EXPECT_EQ(station.store.rows().trialCount(), before);
   EXPECT_TRUE(station.store.sessions().front().file.empty());
@@ -303,7 +303,7 @@ TEST(Purge, OfAClassThatKeepsThingsForLessLeavesLess) {
   Station station;
   ClassRow strict = samples::aClass();
   strict.retain_days = strict.retain_samples_days = 30;
-  station.store.keep(strict);
+  station.store.save(strict);
   EXPECT_EQ(purge(station.store, samples::kMonday + 50 * 86'400'000ll, true).sessions, 6);
   EXPECT_EQ(station.store.rows().trialCount(), 0);
 }
@@ -315,7 +315,7 @@ TEST(Store, InMemoryHoldsWhatAFileHoldsAndLeavesNone) {
   const samples::History history = samples::history(2, 2, 3);
   {
     Store copy = Store::inMemory("database class");
-    copy.keepAny(history.rows);
+    copy.storeAnyRows(history.rows);
     EXPECT_EQ(samples::saidAll(copy.rows().all()).size(), history.rows.size());
     EXPECT_EQ(copy.file(), "database class");
   }

@@ -41,7 +41,7 @@ TEST(HostileRecords, AreRefusedWhateverTheyBringAlong) {
     for (const auto how : {Store::Open::existing, Store::Open::read_only}) {
       writeFile(file, sound);
       changeRecords(file, sql);
-      const std::string message = support::messageOf([&] { Store{file, how}; });
+      const std::string message = support::thrownMessage([&] { Store{file, how}; });
       EXPECT_NE(message.find("which is not of training records that Palpate writes"), std::string::npos)
           << sql << ": " << message;
     }
@@ -68,7 +68,7 @@ TEST(HostileRecords, WhatAPersonDidIsTheirKeepersAloneFromTheFirstByte) {
   };
   fs::create_directories(folder / "sub/sessions");  // as an earlier version left it
   Store store(folder / "sub/a.results", Store::Open::create_too);
-  store.keepAny(samples::history(1, 1, 2).rows);
+  store.storeAnyRows(samples::history(1, 1, 2).rows);
   for (const char* end : {"", "-wal", "-shm"}) EXPECT_EQ(mode_of(std::string("sub/a.results") + end), 0600u) << end;
   RecordingFiles(store).makeFolder();
   EXPECT_EQ(mode_of("sub/sessions"), 0700u);
@@ -84,7 +84,7 @@ TEST(HostileRecords, WhatAPersonDidIsTheirKeepersAloneFromTheFirstByte) {
 TEST(HostileRecords, NoFormulaGoesIntoATable) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
-  store.keep(ClassRow{.id = "osteo", .label = "=HYPERLINK(\"http://x\")", .retain_days = 1, .retain_samples_days = 1});
+  store.save(ClassRow{.id = "osteo", .label = "=HYPERLINK(\"http://x\")", .retain_days = 1, .retain_samples_days = 1});
   const auto classes = [&](CsvText kind) { return csvFiles(store.rows(), kind).at(1).text; };
   EXPECT_NE(classes(CsvText::safe).find("osteo,\"'=HYPERLINK"), std::string::npos) << classes(CsvText::safe);
   EXPECT_NE(classes(CsvText::raw).find("osteo,\"=HYPERLINK"), std::string::npos);

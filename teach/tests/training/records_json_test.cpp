@@ -23,7 +23,7 @@ TrialRow sentTrial() {
 }
 
 std::string refusalOfRow(std::string_view kind, const RowObject& object) {
-  return support::messageOf([&] { rowFromJson(kind, object.dump()); });
+  return support::thrownMessage([&] { rowFromJson(kind, object.dump()); });
 }
 
 TEST(RowJson, EveryKindIsReadBackAsItWas) {
@@ -114,14 +114,15 @@ TEST(RowJson, PathsStayInTheFolder) {
 
 TEST(RowJson, RefusesWhatIsNoRow) {
   for (const char* text : {"", "{", "[]", "3", "null", "{\"id\":", "\xff\xfe"}) {
-    EXPECT_NE(support::messageOf([&] { rowFromJson("trial", text); }), "no error") << text;
+    EXPECT_NE(support::thrownMessage([&] { rowFromJson("trial", text); }), "no error") << text;
   }
-  EXPECT_NE(support::messageOf([&] { rowFromJson("table; DROP", "{}"); }).find("is not a kind of row"),
+  EXPECT_NE(support::thrownMessage([&] { rowFromJson("table; DROP", "{}"); }).find("is not a kind of row"),
             std::string::npos);
   const std::string long_text = "{\"id\":\"" + std::string(kLongestRowJson, 'x') + "\"}";
-  EXPECT_NE(support::messageOf([&] { rowFromJson("trial", long_text); }).find("more than 65536"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { rowFromJson("trial", long_text); }).find("more than 65536"),
+            std::string::npos);
   const std::string deep(60000, '[');
-  EXPECT_NE(support::messageOf([&] { rowFromJson("trial", deep); }), "no error");
+  EXPECT_NE(support::thrownMessage([&] { rowFromJson("trial", deep); }), "no error");
 }
 
 /// Whatever single byte a network changes: an error or a row, never anything else.

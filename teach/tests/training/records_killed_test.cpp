@@ -1,4 +1,4 @@
-// What `keep` returned from is there after kill -9 at any moment, with what waits for the class; and how long a commit
+// What `save` returned from is there after kill -9 at any moment, with what waits for the class; and how long a commit
 // takes while trials come as a class makes them. tools/check-records runs this for longer (PALPATE_KILLS,
 // PALPATE_LOAD_S). A power cut is not tried here: that commits wait for the disk is (records_store_test.cpp).
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ std::array<Row, 2> keptTogether(const SessionRow& session, std::uint64_t number)
   Store store(file, Store::Open::existing);
   const SessionRow session = samples::session(samples::trainee(), 1);
   for (std::uint64_t number = first;; ++number) {
-    store.keep(keptTogether(session, number));
+    store.save(keptTogether(session, number));
     if (::write(acknowledge_to, &number, sizeof number) != sizeof number) ::_exit(1);
   }
 }
@@ -67,8 +67,8 @@ TEST(RecordsKilled, NoAcknowledgedTrialIsLost) {
   {
     Store store(file, Store::Open::create_too);
     store.fillOutbox(true);
-    store.keepAny(std::vector<AnyRow>{samples::station(), samples::protocol(), samples::trainee(), session,
-                                      samples::block(session, 1)});
+    store.storeAnyRows(std::vector<AnyRow>{samples::station(), samples::protocol(), samples::trainee(), session,
+                                           samples::block(session, 1)});
   }
   Random random(20261122);
   std::set<std::uint64_t> acknowledged;
@@ -107,10 +107,10 @@ TEST(RecordsLoad, TwelveTrialsASecondAreKeptInTime) {
   Store store(folder / "a.results", Store::Open::create_too);
   store.fillOutbox(true);
   const SessionRow session = samples::session(samples::trainee(), 1);
-  store.keepAny(std::vector<AnyRow>{samples::station(), samples::protocol(), samples::trainee(), session,
-                                    samples::block(session, 1)});
+  store.storeAnyRows(std::vector<AnyRow>{samples::station(), samples::protocol(), samples::trainee(), session,
+                                         samples::block(session, 1)});
   const pace::Measured measured =
-      pace::atTwelveASecond([&](std::uint64_t number) { store.keep(keptTogether(session, number)); });
+      pace::atTwelveASecond([&](std::uint64_t number) { store.save(keptTogether(session, number)); });
   EXPECT_EQ(static_cast<std::uint64_t>(store.rows().trialCount()), measured.trials);
   pace::judge("SQLite", measured);
 }

@@ -26,7 +26,7 @@ struct Measured {
 };
 
 /// For PALPATE_LOAD_S seconds; in the suite for one.
-inline Measured atTwelveASecond(const std::function<void(std::uint64_t)>& keep) {
+inline Measured atTwelveASecond(const std::function<void(std::uint64_t)>& save) {
   using Clock = std::chrono::steady_clock;
   const auto trials = static_cast<std::uint64_t>(12.0 * fromEnvironment("PALPATE_LOAD_S", 1.0));
   const auto begin = Clock::now();
@@ -34,7 +34,7 @@ inline Measured atTwelveASecond(const std::function<void(std::uint64_t)>& keep) 
   for (std::uint64_t number = 1; number <= trials; ++number) {
     std::this_thread::sleep_until(begin + number * std::chrono::microseconds(1'000'000 / 12));
     const auto before = Clock::now();
-    keep(number);
+    save(number);
     ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - before).count());
   }
   std::ranges::sort(ms);

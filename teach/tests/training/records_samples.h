@@ -16,7 +16,7 @@ inline constexpr std::int64_t kMonday = 1'700'000'000'000;
 
 /// The same ids for the same numbers.
 inline Uuid id(std::uint64_t what, std::uint64_t number) {
-  return uuidOf(kMonday + static_cast<std::int64_t>(number), {what * 7919 + 1, number * 104729 + what});
+  return makeUuidV7(kMonday + static_cast<std::int64_t>(number), {what * 7919 + 1, number * 104729 + what});
 }
 
 inline StationRow station(int number = 1) {
@@ -24,7 +24,7 @@ inline StationRow station(int number = 1) {
 }
 inline ClassRow aClass() { return {"osteo-1", "Osteopathy, first year", 365, 90}; }
 inline TraineeRow trainee(std::string_view code = "A") {
-  return {pseudonymOf("osteo-1", code), "osteo-1", kMonday + 5, "right", true, ""};
+  return {derivePseudonym("osteo-1", code), "osteo-1", kMonday + 5, "right", true, ""};
 }
 inline ProtocolRow protocol() { return {"vhb", 1, "# text\n[practice]\nlevels = []\n", sha256Hex("vhb")}; }
 

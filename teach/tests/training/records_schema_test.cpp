@@ -47,7 +47,7 @@ TEST(RecordsSchema, AFilledFileOfVersionOneComesForwardWhole) {
   const auto file = versionOneFile(folder);
   EXPECT_THROW(Store(file, Store::Open::read_only), Error);  // not without being asked
   Store store(file, Store::Open::existing);
-  EXPECT_EQ(schemaVersionOf(store.rows().sql()), kSchemaVersion);
+  EXPECT_EQ(readSchemaVersion(store.rows().sql()), kSchemaVersion);
   EXPECT_EQ(suite::sorted(samples::saidAll(store.rows().all())), suite::sorted(samples::saidAll(old_rows::expected())));
   EXPECT_EQ(store.rows().sql().number("SELECT count(*) FROM schema_version"), kSchemaVersion);
   EXPECT_TRUE(store.rows().sql().ask("PRAGMA foreign_key_check").empty());

@@ -40,7 +40,7 @@ std::vector<std::string> waitingKeys(Store& store) {
 TEST(RecordsStore, IsThereAgainAfterItWasClosed) {
   const support::TemporaryFolder folder;
   const samples::History history = samples::history(2, 1, 4);
-  Store(folder / "sub/a.results", Store::Open::create_too).keepAny(history.rows);
+  Store(folder / "sub/a.results", Store::Open::create_too).storeAnyRows(history.rows);
   Store again(folder / "sub/a.results", Store::Open::read_only);
   EXPECT_EQ(suite::sorted(samples::saidAll(again.rows().all())), suite::sorted(samples::saidAll(history.rows)));
   EXPECT_EQ(fs::status(folder / "sub").permissions(), fs::perms::owner_all);
@@ -57,7 +57,7 @@ TEST(RecordsStore, LeavesNoEmptyFileWhereItCannotBegin) {
   const rlimit small = {0, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
   const std::string message =
-      support::messageOf([&] { const Store store(folder / "a.results", Store::Open::create_too); });
+      support::thrownMessage([&] { const Store store(folder / "a.results", Store::Open::create_too); });
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, previous);
   EXPECT_NE(message, "no error");
@@ -81,11 +81,11 @@ TEST(RecordsStore, KeepsAllRowsOfACallOrNone) {
   const support::TemporaryFolder folder;
   Store store(folder / "a.results", Store::Open::create_too);
   const samples::History history = samples::history(1, 1, 2);
-  store.keepAny(std::span(history.rows).first(6));
+  store.storeAnyRows(std::span(history.rows).first(6));
   auto broken = std::get<TrialRow>(history.rows[7]);
   broken.block_id = samples::id(9, 9);
   const std::array<Row, 2> rows = {std::get<TrialRow>(history.rows[6]), broken};
-  EXPECT_NE(support::messageOf([&] { store.keep(rows); }).find("a.results"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { store.save(rows); }).find("a.results"), std::string::npos);
   EXPECT_EQ(store.rows().trialCount(), 0);
 }
 
@@ -93,11 +93,11 @@ TEST(RecordsStore, OutboxHoldsWhatAClassHasNotAcknowledged) {
   const support::TemporaryFolder folder;
   const samples::History history = samples::history(1, 1, 3);
   Store store(folder / "a.results", Store::Open::create_too);
-  store.keepAny(std::span(history.rows).first(6));
+  store.storeAnyRows(std::span(history.rows).first(6));
   EXPECT_EQ(store.waitingCount(), 0u);
   store.fillOutbox(true);  // whatever is there already
   EXPECT_EQ(store.waitingCount(), 6u);
-  store.keepAny(std::span(history.rows).subspan(6));
+  store.storeAnyRows(std::span(history.rows).subspan(6));
   const auto waiting = store.waiting(1000);
   ASSERT_EQ(waiting.size(), history.rows.size());
   for (std::size_t i = 0; i < waiting.size(); ++i) {
@@ -120,7 +120,7 @@ TEST(RecordsStore, OutboxHoldsWhatAClassHasNotAcknowledged) {
 struct WaitingRecords {
   WaitingRecords() {
     store.fillOutbox(true);
-    store.keepAny(history.rows);
+    store.storeAnyRows(history.rows);
   }
   support::TemporaryFolder folder;
   samples::History history = samples::history(1, 1, 1);
@@ -135,7 +135,7 @@ TEST(RecordsStore, AcknowledgingAnOldStateLeavesTheNewOneWaiting) {
   const Uuid old_key = outboxKey(AnyRow(block));
   block.state_json = R"({"seed":"7","outcomes":[1,2]})";
   const Row newer = block;
-  store.keep(std::span(&newer, 1));
+  store.save(std::span(&newer, 1));
   const std::vector<std::string> second = waitingKeys(store);
   ASSERT_EQ(second.size(), first.size());  // in its place: the trial still comes after it
   EXPECT_EQ(std::ranges::find(first, old_key) - first.begin(),
@@ -146,19 +146,20 @@ TEST(RecordsStore, AcknowledgingAnOldStateLeavesTheNewOneWaiting) {
 
 TEST(RecordsStore, RefusesFilesThatAreNotItsOwn) {
   const support::TemporaryFolder folder;
-  EXPECT_NE(support::messageOf([&] { Store(folder / "none", Store::Open::existing); }).find("no such file"),
+  EXPECT_NE(support::thrownMessage([&] { Store(folder / "none", Store::Open::existing); }).find("no such file"),
             std::string::npos);
   writeFile(folder / "text", std::string(5000, 'x'));
   EXPECT_NE(
-      support::messageOf([&] { Store(folder / "text", Store::Open::existing); }).find("holds no training records"),
+      support::thrownMessage([&] { Store(folder / "text", Store::Open::existing); }).find("holds no training records"),
       std::string::npos);
   trace::Database(folder / "other", trace::Database::Mode::create).run("CREATE TABLE t (a)");
-  EXPECT_NE(
-      support::messageOf([&] { Store(folder / "other", Store::Open::create_too); }).find("holds no training records"),
-      std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] {
+              Store(folder / "other", Store::Open::create_too);
+            }).find("holds no training records"),
+            std::string::npos);
   Store(folder / "newer", Store::Open::create_too).rows().sql().run("INSERT INTO schema_version VALUES (99, 0)");
   EXPECT_NE(
-      support::messageOf([&] { Store(folder / "newer", Store::Open::existing); }).find("newer palpate (schema 99"),
+      support::thrownMessage([&] { Store(folder / "newer", Store::Open::existing); }).find("newer palpate (schema 99"),
       std::string::npos);
 }
 
@@ -175,7 +176,7 @@ TEST(RecordsStore, TwoProgramsKeepAtOnce) {
   Store two(folder / "a.results", Store::Open::create_too);
   const samples::History history = samples::history(2, 1, 10);
   for (std::size_t i = 0; i < history.rows.size(); ++i) {
-    (i % 2 == 0 ? one : two).keepAny(std::span(history.rows).subspan(i, 1));
+    (i % 2 == 0 ? one : two).storeAnyRows(std::span(history.rows).subspan(i, 1));
   }
   EXPECT_EQ(samples::saidAll(one.rows().all()), samples::saidAll(two.rows().all()));
   EXPECT_EQ(one.rows().trialCount(), 20);
@@ -200,7 +201,7 @@ TEST(RecordsStore, ADeletionThatWasHeardOfStandsBetweenWhatWasAndWhatComes) {
   const std::vector<std::string> marks = {deletedMark(who.id)};
   store.hearDeleted(marks);
   store.hearDeleted(marks);
-  store.keep(who);
+  store.save(who);
   std::vector<std::string> kinds;
   for (const OutboxEntry& entry : store.waiting(100)) kinds.push_back(entry.kind);
   ASSERT_GE(kinds.size(), 2u);

@@ -16,7 +16,7 @@ namespace palpate::training::suite {
 
 inline void keepAll(RowTables& tables, const std::vector<AnyRow>& rows) {
   SqlTransaction transaction(tables.sql());
-  for (const AnyRow& row : rows) tables.keep(row);
+  for (const AnyRow& row : rows) tables.save(row);
   transaction.commit();
 }
 
@@ -84,9 +84,9 @@ inline void refusesWhatDoesNotFit(RowTables& tables) {
   keepAll(tables, history.rows);
   const std::vector<std::string> before = samples::saidAll(tables.all());
   const auto refused = [&](const AnyRow& row) {
-    return support::messageOf([&] {
+    return support::thrownMessage([&] {
       SqlTransaction transaction(tables.sql());
-      tables.keep(row);
+      tables.save(row);
       transaction.commit();
     });
   };

@@ -70,7 +70,7 @@ class Somebody {
     if (session_.screen() == Screen::feedback) next();
   }
   void collect() {
-    for (Row& row : session_.takeRows()) rows_.push_back(std::move(row));
+    for (Row& row : session_.drainRows()) rows_.push_back(std::move(row));
   }
   template <class Kind>
   std::vector<Kind> rows() const {

@@ -7,7 +7,7 @@
 
 namespace palpate::training {
 
-inline TrialOutcome answerOf(const Psychometric& trainee, const PlannedTrial& trial, Random& random) {
+inline TrialOutcome simulateAnswer(const Psychometric& trainee, const PlannedTrial& trial, Random& random) {
   const bool right = random.uniform() < probabilityCorrect(trainee, trial.change);
   return {.answer = right ? trial.site : trial.site % 12 + 1, .correct = right};
 }
@@ -16,7 +16,7 @@ inline TrialOutcome answerOf(const Psychometric& trainee, const PlannedTrial& tr
 inline Block answered(const BlockSettings& settings, const Psychometric& trainee, std::uint64_t seed) {
   Block block(settings, seed);
   Random random(seed + 1'000'000);
-  while (!block.finished()) block.answer(answerOf(trainee, block.next(), random));
+  while (!block.finished()) block.answer(simulateAnswer(trainee, block.next(), random));
   return block;
 }
 

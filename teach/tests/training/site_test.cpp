@@ -46,7 +46,7 @@ TEST(Sites, PlacesOfOnesOwnAreNumberedAsTheyStand) {
 
 TEST(Sites, PlacesThatAFingertipCannotTellApartAreRefused) {
   const std::vector<std::string> words = {"T6 right 30 mm", "T6 right 40 mm"};
-  const std::string message = support::messageOf([&] { sitesNamed(flatSpine(), words); });
+  const std::string message = support::thrownMessage([&] { sitesNamed(flatSpine(), words); });
   EXPECT_NE(message.find("T6 right 40 mm"), std::string::npos) << message;
   EXPECT_THROW(sitesNamed(flatSpine(), std::vector<std::string>{"T6"}), Error);
   EXPECT_THROW(sitesNamed(flatSpine(), std::vector<std::string>{"T6", "T77"}), Error);

@@ -50,12 +50,12 @@ TEST(TrainingStatistics, SharesHaveWilsonsInterval) {
 }
 
 TEST(TrainingStatistics, QuartilesLieBetweenNeighbours) {
-  const Spread four = spreadOf({4.0, 1.0, 2.0, 3.0});
+  const Spread four = computeSpread({4.0, 1.0, 2.0, 3.0});
   EXPECT_DOUBLE_EQ(four.lower_quartile, 1.75);
   EXPECT_DOUBLE_EQ(four.median, 2.5);
   EXPECT_DOUBLE_EQ(four.upper_quartile, 3.25);
-  EXPECT_EQ(spreadOf({}).count, 0u);
-  EXPECT_EQ(spreadOf({7.0}).upper_quartile, 7.0);
+  EXPECT_EQ(computeSpread({}).count, 0u);
+  EXPECT_EQ(computeSpread({7.0}).upper_quartile, 7.0);
 }
 
 TEST(TrainingStatistics, WarmUpsAndTrialsWhoseTargetWasNeverFeltDoNotCount) {
@@ -206,7 +206,7 @@ TEST_F(MadeRecord, AClassFindsTheThresholdsItsTraineesWereMadeWith) {
 TEST_F(MadeRecord, AFittedCurveRisesFromChanceAndHoldsItsMiddleInItsBand) {
   made_.add(6);
   const TraineeStatistics trainee = trainingStatistics(record()).trainees.at(0);
-  const FittedCurve curve = fittedCurve(posteriorOf(trainee.points.at(0)), curveChanges());
+  const FittedCurve curve = fittedCurve(computePosterior(trainee.points.at(0)), curveChanges());
   EXPECT_NEAR(curve.changes.front(), 0.03, 1e-12);
   EXPECT_NEAR(curve.changes.back(), 1.0, 1e-12);
   EXPECT_GE(curve.low.front(), 1.0 / 12);

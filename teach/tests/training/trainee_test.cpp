@@ -71,9 +71,9 @@ class Trainee : public testing::Test {
     std::filesystem::create_directories(folder_ / name);
     Store store(folder_ / name / "all.results", Store::Open::create_too);
     const StationRow station = simulatedStation(kStartMs);
-    store.keep(station);
-    store.keep(protocolRowOf(protocol_));
-    store.keep(trainee_);
+    store.save(station);
+    store.save(makeProtocolRow(protocol_));
+    store.save(trainee_);
     return store;
   }
 
@@ -194,12 +194,12 @@ TEST_F(Trainee, FeelsTheTwelveSitesOfTheTrunkAndLeavesItsFrontAlone) {
 TEST_F(Trainee, SaysWhichHandGoesNowhere) {
   BodyTouchSettings settings;
   settings.hand = device::handChoice("released");
-  EXPECT_NE(support::messageOf([&] { BodyTouch(worlds(), sites_, settings); }).find("released"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { BodyTouch(worlds(), sites_, settings); }).find("released"), std::string::npos);
 }
 
 TEST_F(Trainee, OfATwentyPercentThresholdIsMeasuredAsOne) {
   Store store = recordsIn("a");
-  const SatThrough sat = sitThrough(store, bench(true, false), request("weber=0.2"));
+  const SessionOutcome sat = runSession(store, bench(true, false), request("weber=0.2"));
   ASSERT_TRUE(sat.result);
   EXPECT_EQ(sat.trials.size(), 43u);  // three to warm up
   EXPECT_EQ(sat.block.trials, 40);
@@ -218,8 +218,8 @@ TEST_F(Trainee, WithoutABodyAnswersAsWithOne) {
   Store without = recordsIn("b");
   TraineeSession session = request("weber=0.2", 5);
   session.most_trials = 20;
-  const SatThrough felt = sitThrough(with_body, bench(true, false), session);
-  const SatThrough imagined = sitThrough(without, bench(false), session);
+  const SessionOutcome felt = runSession(with_body, bench(true, false), session);
+  const SessionOutcome imagined = runSession(without, bench(false), session);
   ASSERT_EQ(felt.trials.size(), imagined.trials.size());
   int same = 0;
   for (std::size_t i = 0; i < felt.trials.size(); ++i) {
@@ -240,7 +240,7 @@ TEST_F(Trainee, WhoSearchesEightSitesIsFlaggedInEveryTrialAndMeasuredAllTheSame)
   for (int run = 0; run < kRuns; ++run) {
     TraineeSession session = request("weber=0.28,sites=8", 100 + static_cast<std::uint64_t>(run));
     session.start_ms += run;
-    const SatThrough sat = sitThrough(store, bench(false), session);
+    const SessionOutcome sat = runSession(store, bench(false), session);
     for (const TrialRow& trial : sat.trials) {
       ASSERT_EQ(trial.sites_felt, 8);
       const bool pressed = std::ranges::any_of(
@@ -264,7 +264,7 @@ TEST_F(Trainee, WhoTouchesTooLightlyHasFeltNothing) {
   Store store = recordsIn("a");
   TraineeSession session = request("press_n=0.2");
   session.most_trials = 3;
-  for (const TrialRow& trial : sitThrough(store, bench(true, false), session).trials) {
+  for (const TrialRow& trial : runSession(store, bench(true, false), session).trials) {
     EXPECT_EQ(trial.sites_felt, 0);
     EXPECT_EQ(trial.excluded, "target not felt");
     EXPECT_LT(trial.peak_force_n, 0.5);
@@ -275,7 +275,7 @@ TEST_F(Trainee, WhoTakesTooLongRunsOutOfTime) {
   Store store = recordsIn("a");
   TraineeSession session = request("press_s=4");
   session.most_trials = 2;
-  const SatThrough sat = sitThrough(store, bench(true, false), session);
+  const SessionOutcome sat = runSession(store, bench(true, false), session);
   ASSERT_EQ(sat.trials.size(), 2u);
   for (const TrialRow& trial : sat.trials) {
     EXPECT_TRUE(trial.timed_out);
@@ -287,12 +287,12 @@ TEST_F(Trainee, WhoTakesTooLongRunsOutOfTime) {
 TEST_F(Trainee, LeavesTheSameRecordsFromTheSameSeed) {
   TraineeSession session = request("weber=0.2");
   session.most_trials = 2;
-  std::array<SatThrough, 3> sat;
+  std::array<SessionOutcome, 3> sat;
   std::array<std::vector<std::string>, 3> ids;
   for (std::size_t i = 0; i < 3; ++i) {
     session.seed = i < 2 ? 1 : 2;
     Store store = recordsIn(std::to_string(i));
-    sat.at(i) = sitThrough(store, bench(true), session);
+    sat.at(i) = runSession(store, bench(true), session);
     for (const TrialRow& trial : sat.at(i).trials) ids.at(i).push_back(trial.id);
   }
   EXPECT_EQ(ids[0], ids[1]);
@@ -314,7 +314,7 @@ TEST_F(Trainee, GoesOnWithTheBlockThatItWasTornFrom) {
     if (++trials == 7) throw std::runtime_error("torn");
   };
   TraineeSession session = request("weber=0.2");
-  EXPECT_THROW(sitThrough(store, torn, session), std::runtime_error);
+  EXPECT_THROW(runSession(store, torn, session), std::runtime_error);
   const auto interrupted = store.interrupted(trainee_.id, SessionKind::pre_test);
   ASSERT_TRUE(interrupted);
   EXPECT_EQ(interrupted->session.end_ms, 0);
@@ -323,7 +323,7 @@ TEST_F(Trainee, GoesOnWithTheBlockThatItWasTornFrom) {
   EXPECT_EQ(kept, 7u);
 
   session.start_ms += 3'600'000;
-  const SatThrough sat = sitThrough(store, bench(true), session);
+  const SessionOutcome sat = runSession(store, bench(true), session);
   EXPECT_TRUE(sat.resumed);
   EXPECT_EQ(sat.block.id, interrupted->block.id);
   EXPECT_NE(sat.row.id, interrupted->session.id);
@@ -342,7 +342,7 @@ TEST_F(Trainee, IsReplayedFromItsRecording) {
   Store store = recordsIn("a");
   TraineeSession session = request("weber=0.2,sites=9");
   session.most_trials = 3;
-  const SatThrough sat = sitThrough(store, bench(true), session);
+  const SessionOutcome sat = runSession(store, bench(true), session);
   const std::filesystem::path file = store.folder() / sat.row.file;
   trace::RecordingReader recording(file);
 
@@ -398,13 +398,13 @@ TEST_F(Trainee, LearnsThroughTheWholeCourse) {
   // Torn away in the third practice; the same words again go on from there.
   TraineeBench torn = bench(false);
   int sessions = 0;
-  EXPECT_THROW(sitCourse(store, torn, course,
-                         [&](const SatThrough&) {
-                           if (++sessions == 3) throw std::runtime_error("torn");
-                         }),
+  EXPECT_THROW(runProgramme(store, torn, course,
+                            [&](const SessionOutcome&) {
+                              if (++sessions == 3) throw std::runtime_error("torn");
+                            }),
                std::runtime_error);
-  std::vector<SatThrough> rest;
-  sitCourse(store, bench(false), course, [&](const SatThrough& sat) { rest.push_back(sat); });
+  std::vector<SessionOutcome> rest;
+  runProgramme(store, bench(false), course, [&](const SessionOutcome& sat) { rest.push_back(sat); });
   ASSERT_EQ(rest.size(), 5u);
   const std::vector<SessionRow> kept = store.sessions(trainee_.id);
   ASSERT_EQ(kept.size(), 8u);

@@ -130,7 +130,7 @@ TEST(Stimulus, ADeclaredChangeHasOneMeaning) {
     ASSERT_EQ(levels.size(), 33U);
     EXPECT_NEAR(levels.front(), 0.04, 1e-12);
     for (std::size_t i = 0; i < levels.size(); ++i) {
-      EXPECT_NEAR(changeOf(stiffnessRatio(levels[i], meaning), meaning), levels[i], 1e-12);
+      EXPECT_NEAR(changeFromRatio(stiffnessRatio(levels[i], meaning), meaning), levels[i], 1e-12);
       if (i == 0) continue;
       EXPECT_NEAR(levels[i] / levels[i - 1], 1.10, 0.02);
     }

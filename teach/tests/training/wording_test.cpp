@@ -39,7 +39,7 @@ TEST(Wording, NoSentenceIsLongerThanTwelveWords) {
                                   deviceCheck(true),
                                   deviceCheck(false),
                                   breakOffered(),
-                                  pausedWords(),
+                                  pausedNotice(),
                                   goodbye(true),
                                   goodbye(false)};
   for (const auto& word : WordsOf<SessionKind>::kAll) {

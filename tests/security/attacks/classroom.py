@@ -134,7 +134,7 @@ def class_sessions(lab):
     return judged(fresh.session_was_there, f"300 sessions opened; {'all are one' if fresh.session_was_there else 'each is kept'}")
 
 
-@attack("class-foreign-rows", "class", [Mend(KEEPER, "  if (auto why = notTheirs(sent)) return why;\n", "")], 25)
+@attack("class-foreign-rows", "class", [Mend(KEEPER, "  if (auto why = ownershipObjection(sent)) return why;\n", "")], 25)
 def class_foreign_rows(lab):
     """With s02's certificate, overwrites s01's station row and its trainee's session."""
     group = Class(lab).serve()
@@ -207,8 +207,8 @@ def class_fast_clock(lab):
 
 
 @attack("class-trainee-id", "class", [
-    Mend("teach/palpate/training/records/trainee_code.cpp", "key.empty() ? sha256Of(text) : hmacSha256Of(key, text)",
-         "key != \"-\" ? sha256Of(text) : hmacSha256Of(key, text)")], 20)
+    Mend("teach/palpate/training/records/trainee_code.cpp", "key.empty() ? computeSha256(text) : computeHmacSha256(key, text)",
+         "key != \"-\" ? computeSha256(text) : computeHmacSha256(key, text)")], 20)
 def class_trainee_id(lab):
     """Who has seen a trainee's card works out the pseudonym from the class's name and the code."""
     group = Class(lab)

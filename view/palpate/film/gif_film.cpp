@@ -55,7 +55,7 @@ class GifFilm final : public Film {
  public:
   GifFilm(std::filesystem::path file, const FilmFormat& format) : Film(std::move(file), format) {
     int reason = 0;
-    gif_ = EGifOpen(this, takeBytes, &reason);
+    gif_ = EGifOpen(this, appendBytes, &reason);
     check(gif_ != nullptr);
     EGifSetGifVersion(gif_, true);
     check(EGifPutScreenDesc(gif_, format_.size.width, format_.size.height, 8, 0, nullptr) == GIF_OK);
@@ -92,7 +92,7 @@ class GifFilm final : public Film {
   }
 
  private:
-  static int takeBytes(GifFileType* gif, const GifByteType* bytes, int count) {
+  static int appendBytes(GifFileType* gif, const GifByteType* bytes, int count) {
     auto& film = *static_cast<GifFilm*>(gif->UserData);
     film.bytes_.append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count));
     return count;

@@ -66,12 +66,12 @@ std::string bigEndian(std::uint64_t value, int bytes) {
 }
 
 /// Always eight bytes: places of later elements are known before their contents.
-std::string sizeOf(std::uint64_t bytes) { return bigEndian(bytes | std::uint64_t{1} << 56, 8); }
+std::string encodeSize(std::uint64_t bytes) { return bigEndian(bytes | std::uint64_t{1} << 56, 8); }
 
 std::string nameOf(Element element) { return bigEndian(element, (std::bit_width(std::uint32_t{element}) + 7) / 8); }
 
 std::string holding(Element element, std::string_view content) {
-  return nameOf(element) + sizeOf(content.size()) + std::string(content);
+  return nameOf(element) + encodeSize(content.size()) + std::string(content);
 }
 
 std::string number(Element element, std::uint64_t value) { return holding(element, bigEndian(value, 8)); }
@@ -82,13 +82,13 @@ std::string ebmlHead() {
                             number(kDocTypeReadVersion, 2));
 }
 
-std::string infoOf(std::int64_t length_ms) {
+std::string makeInfoElement(std::int64_t length_ms) {
   const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(length_ms));
   return holding(kInfo, number(kTimestampScale, kNanosecondsPerMs) + holding(kDuration, bigEndian(bits, 8)) +
                             holding(kMuxingApp, "palpate") + holding(kWritingApp, "palpate"));
 }
 
-std::string tracksOf(const view::ImageSize& size) {
+std::string makeTracksElement(const view::ImageSize& size) {
   const std::string colour = holding(kColour, number(kMatrixCoefficients, kBt709) + number(kRange, kLimitedRange) +
                                                   number(kTransfer, kBt709) + number(kPrimaries, kBt709));
   const std::string video = holding(kVideo, number(kPixelWidth, static_cast<std::uint64_t>(size.width)) +
@@ -117,8 +117,8 @@ void WebmContainer::add(std::string_view compressed, std::int64_t at_ms, bool is
 }
 
 std::vector<std::string> WebmContainer::pieces(const view::ImageSize& size, std::int64_t length_ms) const {
-  const std::string info = infoOf(length_ms);
-  const std::string tracks = tracksOf(size);
+  const std::string info = makeInfoElement(length_ms);
+  const std::string tracks = makeTracksElement(size);
   const auto cuesFrom = [&](std::uint64_t position) {
     std::string points;
     for (const Cluster& cluster : clusters_) {
@@ -138,7 +138,7 @@ std::vector<std::string> WebmContainer::pieces(const view::ImageSize& size, std:
   head += info + tracks + cues;
   std::uint64_t segment = head.size();
   for (const Cluster& cluster : clusters_) segment += holding(kCluster, {}).size() + cluster.blocks.size();
-  std::vector<std::string> pieces = {ebmlHead() + nameOf(kSegment) + sizeOf(segment) + head};
+  std::vector<std::string> pieces = {ebmlHead() + nameOf(kSegment) + encodeSize(segment) + head};
   for (const Cluster& cluster : clusters_) pieces.push_back(holding(kCluster, cluster.blocks));
   return pieces;
 }

@@ -31,7 +31,7 @@ std::uint8_t rounded(double value) { return static_cast<std::uint8_t>(value + 0.
 
 // BT.709 in its limited range.
 
-std::uint8_t lightOf(const view::Pixel& p) { return rounded(16.0 + 0.18259 * p[0] + 0.61423 * p[1] + 0.06201 * p[2]); }
+std::uint8_t luma(const view::Pixel& p) { return rounded(16.0 + 0.18259 * p[0] + 0.61423 * p[1] + 0.06201 * p[2]); }
 
 /// The mean of the pixels that share a sample of colour: two by two, fewer at an odd edge.
 view::Pixel meanAt(const view::Image& picture, int x, int y) {
@@ -49,7 +49,7 @@ view::Pixel meanAt(const view::Image& picture, int x, int y) {
 void fill(const Planes& planes, const view::Image& picture) {
   for (int y = 0; y < picture.height; ++y) {
     std::uint8_t* light = planes.row(VPX_PLANE_Y, y);
-    for (int x = 0; x < picture.width; ++x) light[x] = lightOf(picture.at(x, y));
+    for (int x = 0; x < picture.width; ++x) light[x] = luma(picture.at(x, y));
   }
   for (int y = 0; y < picture.height; y += 2) {
     std::uint8_t* blue = planes.row(VPX_PLANE_U, y / 2);

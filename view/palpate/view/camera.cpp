@@ -63,14 +63,14 @@ Camera fitted(const Eigen::AlignedBox3d& box, double aspect, Camera camera) {
   return camera;
 }
 
-Screen screenOf(const Camera& camera, double aspect) {
+Screen cameraScreen(const Camera& camera, double aspect) {
   const double half_height = camera.distance_mm * std::tan(0.5 * camera.height_rad);
   const Vec3 up = half_height * camera.up();
   const Vec3 right = aspect * half_height * camera.right();
   return {camera.centre - right - up, camera.centre + right - up, camera.centre - right + up};
 }
 
-Frustum frustumOf(const Screen& screen, const Vec3& eye, double near_mm, double far_mm) {
+Frustum makeFrustum(const Screen& screen, const Vec3& eye, double near_mm, double far_mm) {
   const Vec3 right = (screen.lower_right - screen.lower_left).normalized();
   const Vec3 up = (screen.upper_left - screen.lower_left).normalized();
   const Vec3 normal = right.cross(up).normalized();

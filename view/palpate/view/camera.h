@@ -18,7 +18,7 @@ namespace palpate::view {
 using Mat4f = Eigen::Matrix4f;
 
 using scene::StandardView;
-inline constexpr auto kStandardViewNames = allWords<StandardView>();
+inline constexpr auto kStandardViewNames = enumNames<StandardView>();
 
 /// Looks at `centre` from a distance; at yaw 0 and pitch 0 from behind the patient (along -z), cranial up.
 struct Camera {
@@ -50,7 +50,7 @@ struct Screen {
 };
 
 /// The virtual screen of a camera: through its centre, square to its axis. `aspect` is width over height.
-Screen screenOf(const Camera& camera, double aspect);
+Screen cameraScreen(const Camera& camera, double aspect);
 
 struct Frustum {
   Mat4f view = Mat4f::Identity();        ///< body frame -> eye frame (x right, y up, z to the eye)
@@ -62,7 +62,7 @@ struct Frustum {
 };
 
 /// The frustum of an eye before a screen (Kooima). Throws Error for an eye that is not in front of the screen.
-Frustum frustumOf(const Screen& screen, const Vec3& eye, double near_mm, double far_mm);
+Frustum makeFrustum(const Screen& screen, const Vec3& eye, double near_mm, double far_mm);
 
 struct Ray {
   Vec3 origin;

@@ -48,7 +48,7 @@ Vec3 smoothNormal(const contact::Surface& surface, Index record_index, const Vec
   return normal.norm() > 0.0 ? Vec3(normal.normalized()) : Vec3(Vec3::UnitZ());
 }
 
-Support supportOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger) {
+Support findSupport(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger) {
   const contact::FingerOutput& contact = finger.contact;
   if (contact.touch != contact::Touch::free && contact.anchor_triangle < world.body->skin.triangles.size()) {
     return {deformedAnchor(world, skin, contact), contact.normal, contact.anchor};
@@ -93,12 +93,12 @@ void liftOut(FingerPose& pose, const std::vector<Corners>& triangles) {
 
 }  // namespace
 
-contact::PressurePad padOf(const scene::Scene& scene, std::size_t finger) {
+contact::PressurePad fingerPad(const scene::Scene& scene, std::size_t finger) {
   if (finger >= scene.fingers.size() || scene.fingers[finger].pad == 0) return {};
   return {scene.fingers[finger].pad, scene.fingers[finger].pad_mm};
 }
 
-FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger) {
+FingerPose computeFingerPose(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger) {
   FingerPose pose;
   pose.radius_mm = finger.radius_mm;
   pose.touches = finger.contact.touch != contact::Touch::free;
@@ -107,7 +107,7 @@ FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const Finger
   pose.outline = finger.outline;
   pose.centre = finger.contact.tip;
   if (skin.vertices() == 0) return pose;
-  const Support support = supportOf(world, skin, finger);
+  const Support support = findSupport(world, skin, finger);
   pose.normal = support.normal;
   pose.centre = support.place + pose.radius_mm * pose.normal;
   liftOut(pose, skinAround(world, skin, support.rest, pose.radius_mm + kReachMm));

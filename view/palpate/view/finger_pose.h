@@ -48,9 +48,9 @@ struct FingerPose {
   double outline = 0.0;  ///< FingerMark::outline, in points until the renderer makes it pixels
 };
 
-FingerPose poseOf(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger);
+FingerPose computeFingerPose(const scene::World& world, const DrawnSkin& skin, const FingerMark& finger);
 
 /// The pad of a scene's finger; four taxels along a side where it has none.
-contact::PressurePad padOf(const scene::Scene& scene, std::size_t finger);
+contact::PressurePad fingerPad(const scene::Scene& scene, std::size_t finger);
 
 }  // namespace palpate::view

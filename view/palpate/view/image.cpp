@@ -34,7 +34,7 @@ Image copied(const StbPixels& pixels, Image image) {
   return image;
 }
 
-Pixel meanOf(const Image& image, int x0, int y0, int factor) {
+Pixel averagePixels(const Image& image, int x0, int y0, int factor) {
   std::array<int, 3> sum{};
   for (int y = y0; y < y0 + factor; ++y) {
     for (int x = x0; x < x0 + factor; ++x) {
@@ -52,7 +52,7 @@ Pixel meanOf(const Image& image, int x0, int y0, int factor) {
 Image reduced(const Image& image, int factor) {
   Image small(image.width / factor, image.height / factor);
   for (int y = 0; y < small.height; ++y) {
-    for (int x = 0; x < small.width; ++x) small.at(x, y) = meanOf(image, x * factor, y * factor, factor);
+    for (int x = 0; x < small.width; ++x) small.at(x, y) = averagePixels(image, x * factor, y * factor, factor);
   }
   return small;
 }
@@ -69,7 +69,7 @@ void writePng(const std::filesystem::path& file, const Image& image) {
   writeFile(file, bytes);
 }
 
-ImageSize imageSizeOf(std::string_view bytes) {
+ImageSize readImageSize(std::string_view bytes) {
   ImageSize size;
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   if (stbi_info_from_memory(data, static_cast<int>(bytes.size()), &size.width, &size.height, nullptr) == 0) return {};

@@ -32,7 +32,7 @@ struct ImageSize {
   int height = 0;
 };
 /// Size of a PNG or JPEG file, by its first bytes; 0 x 0 when it is neither.
-ImageSize imageSizeOf(std::string_view bytes);
+ImageSize readImageSize(std::string_view bytes);
 /// The picture itself, without transparency; empty when it cannot be read.
 Image decodeImage(std::string_view bytes);
 

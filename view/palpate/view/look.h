@@ -20,10 +20,10 @@ using scene::Colouring;
 using scene::FingerShape;
 using scene::Overlay;
 using scene::Shading;
-inline constexpr auto kShadingNames = allWords<Shading>();
-inline constexpr auto kColouringNames = allWords<Colouring>();
-inline constexpr auto kOverlayNames = allWords<Overlay>();
-inline constexpr auto kFingerShapeNames = allWords<FingerShape>();
+inline constexpr auto kShadingNames = enumNames<Shading>();
+inline constexpr auto kColouringNames = enumNames<Colouring>();
+inline constexpr auto kOverlayNames = enumNames<Overlay>();
+inline constexpr auto kFingerShapeNames = enumNames<FingerShape>();
 inline constexpr std::size_t kOverlays = kOverlayNames.size();
 /// In menus and panels: the body, the effects of a touch, the engine's search, the structures under the skin.
 inline constexpr std::array kBodyOverlays = {Overlay::names, Overlay::muscles};
@@ -37,7 +37,7 @@ static_assert(kBodyOverlays.size() + kTouchOverlays.size() + kEngineOverlays.siz
 
 /// Each field has a colour map of its own, so that two pictures cannot be mistaken for each other. Strain: blue is
 /// compression, red tension.
-constexpr ColourMap colourMapOf(Colouring colouring) {
+constexpr ColourMap fieldColourMap(Colouring colouring) {
   if (colouring == Colouring::stiffness) return ColourMap::viridis;
   if (colouring == Colouring::scalar) return ColourMap::viridis;
   return colouring == Colouring::ellipses ? ColourMap::cividis : ColourMap::cool_warm;
@@ -75,7 +75,7 @@ struct Look {
   bool hasLightGround() const { return white_background || light_background; }
   bool shows(Overlay overlay) const { return overlays[static_cast<std::size_t>(overlay)]; }
   void show(Overlay overlay, bool on = true) { overlays[static_cast<std::size_t>(overlay)] = on; }
-  ColourMap colourMap() const { return colouring == Colouring::scalar ? scalar_map : colourMapOf(colouring); }
+  ColourMap colourMap() const { return colouring == Colouring::scalar ? scalar_map : fieldColourMap(colouring); }
   const ColourRange& range() const {
     if (colouring == Colouring::scalar) return scalar_range;
     if (colouring == Colouring::stiffness) return stiffness_n_per_mm;

@@ -64,7 +64,7 @@ void waitUntilDrawn();
 /// name. Pictures of different ones differ in single pixels.
 std::string rendererName();
 /// The same as the driver spells it, for reports.
-std::string rendererWords();
+std::string rendererString();
 
 // An unlit picture on the graphics card, for panels to show.
 

@@ -6,8 +6,8 @@ namespace palpate::view {
 
 Studio::Studio(std::shared_ptr<const scene::World> world) : painter_(std::move(world)) {}
 
-TakenPicture Studio::take(const deform::DeformedSurface& surface, const Frame& frame, const PictureSettings& settings,
-                          const PictureSize& size) {
+TakenPicture Studio::capture(const deform::DeformedSurface& surface, const Frame& frame,
+                             const PictureSettings& settings, const PictureSize& size) {
   Canvas canvas;
   canvas.width = size.width * size.supersampling;
   canvas.height = size.height * size.supersampling;
@@ -26,7 +26,7 @@ TakenPicture Studio::take(const deform::DeformedSurface& surface, const Frame& f
 
 Image picture(std::shared_ptr<const scene::World> world, const deform::DeformedSurface& surface, const Frame& frame,
               const PictureSettings& settings, const PictureSize& size) {
-  return Studio(std::move(world)).take(surface, frame, settings, size).image;
+  return Studio(std::move(world)).capture(surface, frame, settings, size).image;
 }
 
 }  // namespace palpate::view

@@ -25,8 +25,8 @@ class Studio {
   /// Throws Error where nothing can be drawn (OffscreenContext).
   explicit Studio(std::shared_ptr<const scene::World> world);
 
-  TakenPicture take(const deform::DeformedSurface& surface, const Frame& frame, const PictureSettings& settings,
-                    const PictureSize& size);
+  TakenPicture capture(const deform::DeformedSurface& surface, const Frame& frame, const PictureSettings& settings,
+                       const PictureSize& size);
 
  private:
   OffscreenContext context_;

@@ -11,7 +11,7 @@ namespace palpate::view {
 
 namespace {
 
-Camera cameraOf(const scene::World& world, const scene::ViewSettings& view, double aspect) {
+Camera makeSceneCamera(const scene::World& world, const scene::ViewSettings& view, double aspect) {
   Camera camera = fitted(mesh::boundingBox(world.body->skin), aspect, view.side);
   camera.yaw_rad += kRadPerDeg * view.yaw_deg;
   camera.pitch_rad = std::clamp(camera.pitch_rad + kRadPerDeg * view.pitch_deg, -kRadPerDeg * 89.9, kRadPerDeg * 89.9);
@@ -24,7 +24,7 @@ Camera cameraOf(const scene::World& world, const scene::ViewSettings& view, doub
 }
 
 template <class Values>
-ColourRange rangeOf(const Values& values, const ColourRange& fallback) {
+ColourRange valueRange(const Values& values, const ColourRange& fallback) {
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   return low != values.end() && *low < *high ? ColourRange{*low, *high} : fallback;
 }
@@ -38,11 +38,11 @@ std::vector<double> skinHalfMajors(const scene::World& world) {
   return lengths;
 }
 
-void takeRange(const std::optional<Vec2>& ends, ColourRange& range) {
+void applyRange(const std::optional<Vec2>& ends, ColourRange& range) {
   if (ends) range = {ends->x(), ends->y()};
 }
 
-Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
+Look makeLook(const scene::World& world, const scene::ViewSettings& view) {
   Look look;
   look.shading = view.shading;
   look.colouring = view.colours;
@@ -56,17 +56,17 @@ Look lookOf(const scene::World& world, const scene::ViewSettings& view) {
   look.texture = view.texture;
   look.detail = view.detail;
   look.strain_percent = {-world.scene.strain.range_percent, world.scene.strain.range_percent};
-  look.stiffness_n_per_mm = rangeOf(*world.surface.stiffness_n_per_mm, look.stiffness_n_per_mm);
+  look.stiffness_n_per_mm = valueRange(*world.surface.stiffness_n_per_mm, look.stiffness_n_per_mm);
   showScalar(world, view.scalar, look);
   look.scalar_map = view.scalar_map;
-  if (look.colouring == Colouring::ellipses) look.half_major_mm = rangeOf(skinHalfMajors(world), look.half_major_mm);
-  takeRange(view.scalar_range, look.scalar_range);
-  takeRange(view.stiffness_range_n_per_mm, look.stiffness_n_per_mm);
-  takeRange(view.ellipse_range_mm, look.half_major_mm);
+  if (look.colouring == Colouring::ellipses) look.half_major_mm = valueRange(skinHalfMajors(world), look.half_major_mm);
+  applyRange(view.scalar_range, look.scalar_range);
+  applyRange(view.stiffness_range_n_per_mm, look.stiffness_n_per_mm);
+  applyRange(view.ellipse_range_mm, look.half_major_mm);
   return look;
 }
 
-StereoSettings stereoOf(const scene::ViewSettings& view) {
+StereoSettings toStereoSettings(const scene::ViewSettings& view) {
   StereoSettings stereo;
   stereo.mode = view.stereo;
   stereo.eye_distance_mm = view.eye_distance_mm;
@@ -88,9 +88,9 @@ void showScalar(const scene::World& world, std::string_view name, Look& look) {
 
 PictureSettings pictureSettings(const scene::World& world, const scene::ViewSettings& view, double aspect) {
   PictureSettings settings;
-  settings.camera = cameraOf(world, view, aspect);
-  settings.look = lookOf(world, view);
-  settings.stereo = stereoOf(view);
+  settings.camera = makeSceneCamera(world, view, aspect);
+  settings.look = makeLook(world, view);
+  settings.stereo = toStereoSettings(view);
   return settings;
 }
 

@@ -19,7 +19,7 @@ struct SkinTone {
 };
 
 /// From 1 (very light) to 6 (very dark), about as the six types of Fitzpatrick; fractions are interpolated.
-inline SkinTone skinToneOf(double tone) {
+inline SkinTone interpolateSkinTone(double tone) {
   // Own, by eye, against colour charts of the six types.
   static const std::array<SkinTone, 6> tones = {{{{0.680f, 0.450f, 0.350f}, 1.00f, 1.00f, 0.90f},
                                                  {{0.590f, 0.355f, 0.252f}, 1.00f, 1.00f, 1.00f},

@@ -47,7 +47,7 @@ struct Span {
   double farthest = -std::numeric_limits<double>::infinity();
 };
 
-Span spanOf(const Eyes& eyes, const Eigen::AlignedBox3d& box) {
+Span computeDepthRange(const Eyes& eyes, const Eigen::AlignedBox3d& box) {
   if (box.isEmpty()) return {eyes.distance_mm, eyes.distance_mm};
   const Vec3 right = eyes.screen.lower_right - eyes.screen.lower_left;
   const Vec3 forward = (eyes.screen.upper_left - eyes.screen.lower_left).cross(right).normalized();
@@ -76,7 +76,7 @@ StereoMode stereoModeNamed(std::string_view name) {
   throw Error(fmt::format("stereo mode '{}': must be one of {}", name, fmt::join(kStereoModeNames, ", ")));
 }
 
-Eyes eyesOf(const Camera& camera, const StereoSettings& settings, double aspect) {
+Eyes placeEyes(const Camera& camera, const StereoSettings& settings, double aspect) {
   Eyes eyes;
   if (settings.head) {
     placeTrackedHead(camera, *settings.head, aspect, eyes);
@@ -90,16 +90,16 @@ Eyes eyesOf(const Camera& camera, const StereoSettings& settings, double aspect)
   return eyes;
 }
 
-DepthRange depthRangeOf(const Eyes& eyes, const Eigen::AlignedBox3d& box, double room_mm) {
-  const Span span = spanOf(eyes, box);
+DepthRange computeClipRange(const Eyes& eyes, const Eigen::AlignedBox3d& box, double room_mm) {
+  const Span span = computeDepthRange(eyes, box);
   const bool two_eyes = eyes.left != eyes.right;
   const double near_mm =
       std::max((two_eyes ? kNearShare : kNearShareOfOneEye) * eyes.distance_mm, span.nearest - room_mm);
   return {near_mm, std::max(span.farthest + room_mm, 2.0 * near_mm)};
 }
 
-Frustum frustumOf(const Eyes& eyes, Eye eye, const DepthRange& range) {
-  return frustumOf(eyes.screen, eyes.of(eye), range.near_mm, range.far_mm);
+Frustum makeFrustum(const Eyes& eyes, Eye eye, const DepthRange& range) {
+  return makeFrustum(eyes.screen, eyes.of(eye), range.near_mm, range.far_mm);
 }
 
 EyePicture eyePictureIn(StereoMode mode, int width, int height) {
@@ -114,7 +114,7 @@ EyePicture eyePictureIn(StereoMode mode, int width, int height) {
   return picture;
 }
 
-Corner cornerOf(Eye eye, const StereoSettings& settings, int width, int height) {
+Corner pictureCorner(Eye eye, const StereoSettings& settings, int width, int height) {
   const bool second = (eye == Eye::right) != (settings.swap_eyes != (settings.mode == StereoMode::sbs_cross));
   if (isSideBySide(settings.mode)) return {second ? width - width / 2 : 0, 0};
   if (isTopBottom(settings.mode)) return {0, second ? 0 : height - height / 2};
@@ -128,8 +128,8 @@ Vec2 placeInEye(StereoMode mode, const Vec2& place) {
   return place;
 }
 
-Comfort comfortOf(const Eyes& eyes, double eye_distance_mm, const Eigen::AlignedBox3d& box) {
-  const Span span = spanOf(eyes, box);
+Comfort computeComfort(const Eyes& eyes, double eye_distance_mm, const Eigen::AlignedBox3d& box) {
+  const Span span = computeDepthRange(eyes, box);
   const double nearest = std::max(span.nearest, kNearShare * eyes.distance_mm);
   const double screen = 1.0 / eyes.distance_mm;
   return {.front_deg = kDegPerRad * eye_distance_mm * std::max(0.0, 1.0 / nearest - screen),
@@ -141,7 +141,7 @@ ComfortableStereo comfortable(const Camera& camera, const StereoSettings& settin
   ComfortableStereo result{settings, {}};
   if (!isStereo(settings.mode)) return result;
   const double asked_mm = settings.eye_distance_mm;
-  const double worst_deg = comfortOf(eyesOf(camera, settings, aspect), asked_mm, box).worst();
+  const double worst_deg = computeComfort(placeEyes(camera, settings, aspect), asked_mm, box).worst();
   if (worst_deg <= kComfortableDeg) return result;
   if (worst_deg <= kFusibleDeg || settings.head) {
     result.note = fmt::format("the stereo picture reaches {:.1f} degrees of parallax; above {:.0f} it tires the eyes",

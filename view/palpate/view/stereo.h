@@ -1,6 +1,6 @@
 // Two eyes before one screen: where they are, what each sees, and the place of its picture.
 //
-//   Camera, StereoSettings ─► Eyes (screen + two places) ─► frustumOf each ─► two pictures ─► StereoComposer ─► one
+//   Camera, StereoSettings ─► Eyes (screen + two places) ─► makeFrustum each ─► two pictures ─► StereoComposer ─► one
 //
 // Pure functions; the compose pass is in stereo_composer.h. A point at distance z from the eyes appears in the right
 // eye's picture by  p = e (1 - D / z)  to the right of where the left eye's has it, D being the distance to the screen:
@@ -20,7 +20,7 @@
 namespace palpate::view {
 
 using scene::StereoMode;
-inline constexpr auto kStereoModeNames = allWords<StereoMode>();
+inline constexpr auto kStereoModeNames = enumNames<StereoMode>();
 
 /// A head before a real screen of known size, for displays that share their place with the hand. The camera then places
 /// that screen in the world: its middle at the centre, its axes those of the camera, at true size.
@@ -54,7 +54,7 @@ struct Eyes {
 
 /// `aspect` is width over height of one eye's picture as it is seen (EyePicture::aspect()). In mono, both eyes are in
 /// the middle. Throws Error for a tracked head behind its screen.
-Eyes eyesOf(const Camera& camera, const StereoSettings& settings, double aspect);
+Eyes placeEyes(const Camera& camera, const StereoSettings& settings, double aspect);
 
 /// Near and far plane around the box and nearer things: balls and overlays, or a hand with its forearm. The near plane
 /// of two eyes is at least 0.3 D away: nearer things cannot be fused.
@@ -63,9 +63,9 @@ struct DepthRange {
 };
 inline constexpr double kRoomMm = 120.0;
 inline constexpr double kRoomForHandsMm = 500.0;
-DepthRange depthRangeOf(const Eyes& eyes, const Eigen::AlignedBox3d& box, double room_mm = kRoomMm);
+DepthRange computeClipRange(const Eyes& eyes, const Eigen::AlignedBox3d& box, double room_mm = kRoomMm);
 
-Frustum frustumOf(const Eyes& eyes, Eye eye, const DepthRange& range);
+Frustum makeFrustum(const Eyes& eyes, Eye eye, const DepthRange& range);
 
 /// One eye's picture: its pixels, and their number before squeezing.
 struct EyePicture {
@@ -82,7 +82,7 @@ struct Corner {
   int x = 0;
   int y = 0;
 };
-Corner cornerOf(Eye eye, const StereoSettings& settings, int width, int height);
+Corner pictureCorner(Eye eye, const StereoSettings& settings, int width, int height);
 
 /// From a place in the whole picture (0 to 1 from the left and from the top) to the place in an eye's picture: for the
 /// mouse, whichever half it is in.
@@ -102,7 +102,7 @@ struct Comfort {
 };
 inline constexpr double kComfortableDeg = 1.0;  ///< for long looking
 inline constexpr double kFusibleDeg = 2.0;      ///< most people see two pictures beyond (Nagata 2002)
-Comfort comfortOf(const Eyes& eyes, double eye_distance_mm, const Eigen::AlignedBox3d& box);
+Comfort computeComfort(const Eyes& eyes, double eye_distance_mm, const Eigen::AlignedBox3d& box);
 
 /// The settings with the eyes so near to each other that nothing in the box passes kFusibleDeg; a tracked head keeps
 /// its own eyes. `note` is a sentence for the user: a reduction, or a discomfort; empty when all is well.

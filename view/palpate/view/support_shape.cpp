@@ -71,7 +71,7 @@ struct SlabRing {
   double up;
 };
 
-std::vector<SlabRing> ringsOf(const SupportSlab& slab) {
+std::vector<SlabRing> makeSlabRings(const SupportSlab& slab) {
   std::vector<SlabRing> rings;
   const double middle = slab.half.minCoeff();
   const double edge = slab.edge_mm;
@@ -91,7 +91,7 @@ std::vector<SlabRing> ringsOf(const SupportSlab& slab) {
   return rings;
 }
 
-SupportVertex vertexOf(const SupportSlab& slab, const SlabRing& ring, const OutlinePoint& point) {
+SupportVertex makeVertex(const SupportSlab& slab, const SlabRing& ring, const OutlinePoint& point) {
   const double corner = std::max(slab.corner_mm - ring.in_mm, 0.0);
   const Vec2 inner = (slab.half - Vec2::Constant(ring.in_mm + corner)).cwiseMax(0.0);
   const Vec2 at = inner.cwiseProduct(point.share) + corner * point.normal;
@@ -204,12 +204,12 @@ std::optional<SupportSlab> supportSlab(const scene::World& world) {
 SupportShape supportShape(const SupportSlab& slab, const scene::World& world) {
   SupportShape shape;
   const std::vector<OutlinePoint> outline = slabOutline(slab);
-  const std::vector<SlabRing> rings = ringsOf(slab);
+  const std::vector<SlabRing> rings = makeSlabRings(slab);
   const std::vector<ShadePatch> patches = shadePatches(world.body->skin, slab.up);
   const auto round = static_cast<Index>(outline.size());
   for (const SlabRing& ring : rings) {
     for (const OutlinePoint& point : outline) {
-      shape.vertices.push_back(vertexOf(slab, ring, point));
+      shape.vertices.push_back(makeVertex(slab, ring, point));
       SupportVertex& vertex = shape.vertices.back();
       if (ring.up > 0.0) vertex.sky = skyOver(vertex, patches) * nearSkin(vertex, world.surface.geometry->tree);
     }

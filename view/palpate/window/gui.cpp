@@ -106,7 +106,7 @@ void mapKeys(ImGuiIO& io) {
 }
 
 /// The name of the window that a list draws.
-std::string_view ownerOf(const ImDrawList& list) { return list._OwnerName == nullptr ? "" : list._OwnerName; }
+std::string_view ownerName(const ImDrawList& list) { return list._OwnerName == nullptr ? "" : list._OwnerName; }
 
 }  // namespace
 
@@ -221,7 +221,7 @@ void Gui::present(int width, int height, Choice choice) const {
   ImDrawData data = *ImGui::GetDrawData();
   std::vector<ImDrawList*> chosen;
   for (int i = 0; i < data.CmdListsCount; ++i) {
-    if (choice == nullptr || choice(ownerOf(*data.CmdLists[i]))) chosen.push_back(data.CmdLists[i]);
+    if (choice == nullptr || choice(ownerName(*data.CmdLists[i]))) chosen.push_back(data.CmdLists[i]);
   }
   data.CmdLists = chosen.data();
   data.CmdListsCount = static_cast<int>(chosen.size());
@@ -235,7 +235,7 @@ bool Gui::leavesOut(Choice choice) const {
   ImGui::SetCurrentContext(impl_->context);
   const ImDrawData& data = *ImGui::GetDrawData();
   return std::any_of(data.CmdLists, data.CmdLists + data.CmdListsCount,
-                     [&](const ImDrawList* list) { return !choice(ownerOf(*list)); });
+                     [&](const ImDrawList* list) { return !choice(ownerName(*list)); });
 }
 
 void Gui::setTheme(Theme theme) {

@@ -166,11 +166,11 @@ void Input::scroll(const InputEvent& event, const Situation& situation, std::vec
 
 void Input::keyDown(const InputEvent& event, const Situation& situation, std::vector<Command>& commands) {
   if (situation.gui_wants_text) return;
-  const auto pressed = actionOf({event.key, event.modifiers});
+  const auto pressed = findAction({event.key, event.modifiers});
   if (!pressed) return;
   const bool always = pressed->action == Action::help || pressed->action == Action::cancel;
   if (!settings.shortcuts && !always) return;
-  const bool steps = bindingOf(pressed->action).fine_with_shift;
+  const bool steps = findBinding(pressed->action).fine_with_shift;
   if (event.repeat && !steps) return;  // a switch flips once per press of its key
   act(*pressed, situation, commands);
 }
@@ -186,9 +186,9 @@ void Input::act(const PressedKey& pressed, const Situation& situation, std::vect
       return;
     }
     case Action::take_left_finger:
-      return take(0, commands);
+      return selectFinger(0, commands);
     case Action::take_right_finger:
-      return take(1, commands);
+      return selectFinger(1, commands);
     case Action::lift_all:
       return liftAll(commands);
     case Action::cancel:
@@ -221,11 +221,11 @@ void Input::hold(const Situation& situation, std::vector<Command>& commands) {
 
 void Input::useFinger(std::size_t finger) {
   std::vector<Command> known_already;
-  take(finger, known_already);
+  selectFinger(finger, known_already);
 }
 
 /// The other finger keeps its state: if the button pressed it, it is held from now on.
-void Input::take(std::size_t finger, std::vector<Command>& commands) {
+void Input::selectFinger(std::size_t finger, std::vector<Command>& commands) {
   if (finger == active_) return;
   if (drag_ == Drag::touch) {
     held_[active_] = true;

@@ -114,7 +114,7 @@ class Input {
   void keyDown(const InputEvent& event, const Situation& situation, std::vector<Command>& commands);
   void act(const PressedKey& pressed, const Situation& situation, std::vector<Command>& commands);
   void hold(const Situation& situation, std::vector<Command>& commands);
-  void take(std::size_t finger, std::vector<Command>& commands);
+  void selectFinger(std::size_t finger, std::vector<Command>& commands);
   void begin(Drag drag, const InputEvent& event, std::vector<Command>& commands);
   void endDrag(std::vector<Command>& commands);
   void liftAll(std::vector<Command>& commands);

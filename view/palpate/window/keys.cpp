@@ -141,11 +141,11 @@ bool isOverlay(Action action) { return action >= Action::show_wireframe && actio
 
 std::span<const KeyBinding> keyTable() { return kTable; }
 
-const KeyBinding& bindingOf(Action action) {
+const KeyBinding& findBinding(Action action) {
   return *std::find_if(std::begin(kTable), std::end(kTable), [&](const auto& row) { return row.action == action; });
 }
 
-std::optional<PressedKey> actionOf(const Chord& chord) {
+std::optional<PressedKey> findAction(const Chord& chord) {
   if (chord.key == Key::none) return std::nullopt;
   for (const KeyBinding& row : kTable) {
     if (row.chord == chord || row.also == chord) return PressedKey{row.action, false};
@@ -164,7 +164,7 @@ std::string nameOf(const Chord& chord) {
                      nameOf(chord.key));
 }
 
-std::string shownNameOf(const Chord& chord) {
+std::string localisedChordName(const Chord& chord) {
   if (chord.key == Key::none) return {};
   std::string words;
   if (chord.modifiers.ctrl) words += fmt::format("{}+", tr("Ctrl"));
@@ -173,17 +173,17 @@ std::string shownNameOf(const Chord& chord) {
 }
 
 std::string keysOf(const KeyBinding& binding) {
-  const std::string second = shownNameOf(binding.also);
-  const std::string first = shownNameOf(binding.chord);
+  const std::string second = localisedChordName(binding.also);
+  const std::string first = localisedChordName(binding.chord);
   return second.empty() ? first : fmt::format("{} {} {}", first, tr("or"), second);
 }
 
-std::optional<view::Overlay> overlayOf(Action action) {
+std::optional<view::Overlay> overlayFor(Action action) {
   if (!isOverlay(action)) return std::nullopt;
   return static_cast<view::Overlay>(static_cast<int>(action) - static_cast<int>(Action::show_wireframe));
 }
 
-std::optional<view::Colouring> colouringOf(Action action) {
+std::optional<view::Colouring> colouringFor(Action action) {
   if (action < Action::colour_strain || action > Action::colour_ellipses) return std::nullopt;
   return static_cast<view::Colouring>(static_cast<int>(action) - static_cast<int>(Action::colour_strain) + 1);
 }

@@ -151,24 +151,24 @@ struct KeyBinding {
 
 /// One row per action, in the order of Action within each group.
 std::span<const KeyBinding> keyTable();
-const KeyBinding& bindingOf(Action action);
+const KeyBinding& findBinding(Action action);
 
 struct PressedKey {
   Action action;
   bool fine = false;
 };
-std::optional<PressedKey> actionOf(const Chord& chord);
+std::optional<PressedKey> findAction(const Chord& chord);
 
 /// "Ctrl+S", "PgDn", as input scripts write it; empty for no key.
 std::string nameOf(const Chord& chord);
 /// The same in the language in use: "Strg+S".
-std::string shownNameOf(const Chord& chord);
+std::string localisedChordName(const Chord& chord);
 /// Both chords: "PgDn or ]".
 std::string keysOf(const KeyBinding& binding);
 
 /// The overlay or colouring that an action switches, if it does.
-std::optional<view::Overlay> overlayOf(Action action);
-std::optional<view::Colouring> colouringOf(Action action);
+std::optional<view::Overlay> overlayFor(Action action);
+std::optional<view::Colouring> colouringFor(Action action);
 Action actionFor(view::Overlay overlay);
 
 /// The table as Markdown, for docs/reference/viewer.md.

@@ -30,7 +30,7 @@ static_assert(static_cast<int>(Key::f12) == GLFW_KEY_F12 && static_cast<int>(Key
 static_assert(static_cast<int>(Key::pad_enter) == GLFW_KEY_KP_ENTER && static_cast<int>(Key::end) == GLFW_KEY_END);
 static_assert(static_cast<int>(Key::left_bracket) == GLFW_KEY_LEFT_BRACKET && static_cast<int>(key('A')) == GLFW_KEY_A);
 
-Modifiers modifiersOf(int mods) { return {(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0}; }
+Modifiers toModifiers(int mods) { return {(mods & GLFW_MOD_CONTROL) != 0, (mods & GLFW_MOD_SHIFT) != 0}; }
 
 /// The available OpenGL when the needed one is refused: a second try without a version.
 std::string offeredVersion() {
@@ -84,12 +84,12 @@ struct Window::Impl {
     InputEvent& event = events.emplace_back();
     event.kind = kind;
     event.time_s = glfwGetTime();
-    event.at = pixelsOf(cursor);
+    event.at = toPixels(cursor);
     event.modifiers = modifiers;
     return event;
   }
   /// From GLFW's screen coordinates to pixels of the picture.
-  Vec2 pixelsOf(const Vec2& place) const {
+  Vec2 toPixels(const Vec2& place) const {
     int width = 0;
     int height = 0;
     int pixels_x = 0;
@@ -147,7 +147,7 @@ void Window::Impl::listenToPointer() {
   });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-    of(w).modifiers = modifiersOf(mods);
+    of(w).modifiers = toModifiers(mods);
     InputEvent& event = of(w).add(InputEvent::Kind::button);
     event.button = static_cast<Button>(button);  // left, right, middle in both
     event.down = action == GLFW_PRESS;
@@ -166,7 +166,7 @@ void Window::Impl::listenToPointer() {
 void Window::Impl::listenToKeys() {
   glfwSetKeyCallback(window, [](GLFWwindow* w, int k, int, int action, int mods) {
     Impl& handles = of(w);
-    handles.modifiers = modifiersOf(mods);
+    handles.modifiers = toModifiers(mods);
     // The event of a modifier key has the state before it.
     const bool down = action != GLFW_RELEASE;
     if (k == GLFW_KEY_LEFT_SHIFT || k == GLFW_KEY_RIGHT_SHIFT) handles.modifiers.shift = down;

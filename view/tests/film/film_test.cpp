@@ -33,7 +33,7 @@ constexpr int kPictures = 12;
 constexpr double kFramesPerS = 20.0;
 
 /// Skin with a darker square that moves to the right, so that the order of the pictures can be seen.
-view::Image pictureOf(int number) {
+view::Image makePicture(int number) {
   view::Image image(kSize.width, kSize.height, {214, 168, 140});
   for (int y = 10; y < 30; ++y) {
     for (int x = 5 * number; x < 5 * number + 15; ++x) image.at(x, y) = {60, 90, 160};
@@ -165,7 +165,7 @@ class Films : public testing::Test {
  protected:
   void write(const char* name, Effort effort = Effort::careful, int pictures = kPictures) const {
     const auto film = beginFilm(folder_ / name, {kSize, kFramesPerS, effort});
-    for (int i = 0; i < pictures; ++i) film->add(pictureOf(i % kPictures), 3.0 + i / kFramesPerS);
+    for (int i = 0; i < pictures; ++i) film->add(makePicture(i % kPictures), 3.0 + i / kFramesPerS);
     EXPECT_FALSE(std::filesystem::exists(folder_ / name)) << "it appears whole";
     film->finish();
   }
@@ -178,7 +178,7 @@ class Films : public testing::Test {
       EXPECT_EQ(film.moments_ms[i], 50 * i);
     }
   }
-  std::string errorOf(const char* name, const FilmFormat& format) const {
+  std::string filmError(const char* name, const FilmFormat& format) const {
     try {
       beginFilm(folder_ / name, format);
     } catch (const Error& error) {
@@ -245,8 +245,8 @@ TEST_F(Films, AGifHoldsEveryPictureAndItsTime) {
 
 TEST_F(Films, ABodyAtRestCostsAGifNothing) {
   const auto film = beginFilm(folder_ / "still.gif", {kSize, kFramesPerS});
-  film->add(pictureOf(3), 0.0);
-  for (int i = 1; i < 100; ++i) film->add(pictureOf(3), i / kFramesPerS);
+  film->add(makePicture(3), 0.0);
+  for (int i = 1; i < 100; ++i) film->add(makePicture(3), i / kFramesPerS);
   film->finish();
   write("moving.gif");
   EXPECT_LT(std::filesystem::file_size(folder_ / "still.gif"), 8000u) << "99 pictures of one pixel";
@@ -256,17 +256,17 @@ TEST_F(Films, WithoutAnEndLeaveNothing) {
   std::ofstream(folder_ / "kept.webm") << "before";
   for (const char* name : {"kept.webm", "new.gif"}) {
     const auto film = beginFilm(folder_ / name, {kSize, kFramesPerS});
-    film->add(pictureOf(0), 0.0);
+    film->add(makePicture(0), 0.0);
   }
   EXPECT_EQ(support::contentOf(folder_ / "kept.webm"), "before");
   EXPECT_EQ(filesHere(), 1u);
 }
 
 TEST_F(Films, SayWhatTheyCannotBe) {
-  EXPECT_EQ(errorOf("film.avi", {kSize}), "a film must be named *.webm or *.gif");
-  EXPECT_EQ(errorOf("film.gif", {kSize, 60.0}), "a GIF shows at most 50 pictures a second; .webm shows more");
-  EXPECT_EQ(errorOf("film.webm", {{16384, 10}}), "a film's pictures are at most 16383 pixels wide and high");
-  EXPECT_EQ(errorOf("/dev/null/film.webm", {kSize}), "cannot be written: Not a directory");
+  EXPECT_EQ(filmError("film.avi", {kSize}), "a film must be named *.webm or *.gif");
+  EXPECT_EQ(filmError("film.gif", {kSize, 60.0}), "a GIF shows at most 50 pictures a second; .webm shows more");
+  EXPECT_EQ(filmError("film.webm", {{16384, 10}}), "a film's pictures are at most 16383 pixels wide and high");
+  EXPECT_EQ(filmError("/dev/null/film.webm", {kSize}), "cannot be written: Not a directory");
   const auto film = beginFilm(folder_ / "film.webm", {kSize});
   EXPECT_THROW(film->add(view::Image(10, 10), 0.0), Error);
   EXPECT_THROW(film->finish(), Error) << "no picture";

@@ -24,7 +24,7 @@ body::SkinLandmark landmarkAt(const std::string& name, const Vec3& place) {
 }
 
 std::shared_ptr<const scene::World> worldWith(mesh::TriangleMesh mesh, std::vector<body::SkinLandmark> landmarks) {
-  auto world = std::make_shared<scene::World>(*worldOf(std::move(mesh)));
+  auto world = std::make_shared<scene::World>(*meshWorld(std::move(mesh)));
   support::changeBody(*world, [&](scene::Body& body) { body.anatomy.landmarks = std::move(landmarks); });
   return world;
 }
@@ -112,8 +112,8 @@ Vec2 dotNear(const Image& image, const Vec2& place) {
 TEST(NamesInPictures, HaveTheirDotsWhereTheSkinIs) {
   const auto world = flatBack();
   const PictureSettings settings = namedView(StereoMode::mono);
-  const Screen screen = screenOf(settings.camera, 16.0 / 9.0);
-  const Frustum frustum = frustumOf(screen, settings.camera.eye(), 1.0, 1e4);
+  const Screen screen = cameraScreen(settings.camera, 16.0 / 9.0);
+  const Frustum frustum = makeFrustum(screen, settings.camera.eye(), 1.0, 1e4);
   const Image image = picture(world, deform::DeformedSurface(*world->deformable), {}, settings, kNamesPicture);
   for (const Vec3& place : {Vec3(50, 50, 0), Vec3(30, 20, 0), Vec3(80, 50, 0)}) {
     const Vec2 seen = seenAt(frustum, place).cwiseProduct(Vec2(kNamesPicture.width, kNamesPicture.height));
@@ -126,10 +126,10 @@ TEST(NamesInPictures, EachEyeSeesTheDotsOnTheSkin) {
   const PictureSettings settings = namedView(StereoMode::sbs_full);
   const Image image = picture(world, deform::DeformedSurface(*world->deformable), {}, settings, kNamesPicture);
   const Vec2 half(0.5 * kNamesPicture.width, kNamesPicture.height);
-  const Eyes eyes = eyesOf(settings.camera, settings.stereo, half.x() / half.y());
+  const Eyes eyes = placeEyes(settings.camera, settings.stereo, half.x() / half.y());
   for (const Eye eye : {Eye::left, Eye::right}) {
     const Vec2 shift(eye == Eye::left ? 0.0 : half.x(), 0.0);
-    const Frustum frustum = frustumOf(eyes.screen, eyes.of(eye), 1.0, 1e4);
+    const Frustum frustum = makeFrustum(eyes.screen, eyes.of(eye), 1.0, 1e4);
     const Vec2 seen = seenAt(frustum, Vec3(50, 50, 0)).cwiseProduct(half) + shift;
     EXPECT_LT((dotNear(image, seen) - seen).norm(), 1.0);
   }
@@ -140,7 +140,7 @@ TEST(NamesInPictures, ANoteSaysWhenTheBodyHasNone) {
   for (const bool named : {true, false}) {
     const auto world = named ? flatBack() : flatWorld();
     const auto notes =
-        Studio(world).take(deform::DeformedSurface(*world->deformable), {}, settings, {160, 90, 1}).notes;
+        Studio(world).capture(deform::DeformedSurface(*world->deformable), {}, settings, {160, 90, 1}).notes;
     using Notes = std::vector<std::string>;
     EXPECT_EQ(notes, named ? Notes() : Notes{"this body has no named places"});
   }
@@ -151,15 +151,15 @@ TEST(NamesInPictures, TheKeyExplainsNothingThatTheBodyLacks) {
   settings.labels.legend = true;
   const auto world = flatWorld();
   Studio studio(world);
-  const auto take = [&] {
-    return studio.take(deform::DeformedSurface(*world->deformable), {}, settings, {160, 90, 1}).image.pixels;
+  const auto capture = [&] {
+    return studio.capture(deform::DeformedSurface(*world->deformable), {}, settings, {160, 90, 1}).image.pixels;
   };
   settings.look.overlays.reset();
-  const auto bare = take();
+  const auto bare = capture();
   for (const Overlay missing : {Overlay::names, Overlay::muscles, Overlay::lumps}) {
     settings.look.overlays.reset();
     settings.look.show(missing);
-    EXPECT_EQ(take(), bare) << static_cast<int>(missing);
+    EXPECT_EQ(capture(), bare) << static_cast<int>(missing);
   }
 }
 
@@ -179,7 +179,7 @@ Vec3 landmarkOf(const scene::World& world, std::string_view name) {
   return Vec3::Zero();
 }
 
-DrawnSkin restOf(const scene::World& world) {
+DrawnSkin restSkin(const scene::World& world) {
   DrawnSkin skin;
   skin.copyAll(deform::DeformedSurface(*world.deformable));
   return skin;
@@ -192,7 +192,7 @@ std::vector<MuscleSheet> sheetsOf(const scene::World& world, const Paint& paint)
   return sheets;
 }
 
-Eigen::AlignedBox3d boxOf(const MuscleSheet& sheet, const DrawnSkin& skin) {
+Eigen::AlignedBox3d sheetBox(const MuscleSheet& sheet, const DrawnSkin& skin) {
   Eigen::AlignedBox3d box;
   for (const auto& fibre : sheet.fibres) {
     for (const SkinSpot& spot : fibre) box.extend(placeOf(spot, skin));
@@ -200,7 +200,7 @@ Eigen::AlignedBox3d boxOf(const MuscleSheet& sheet, const DrawnSkin& skin) {
   return box;
 }
 
-double nearestOf(const MuscleSheet& sheet, const DrawnSkin& skin, const Vec3& place) {
+double distanceToFibres(const MuscleSheet& sheet, const DrawnSkin& skin, const Vec3& place) {
   double nearest = 1e9;
   for (const auto& fibre : sheet.fibres) {
     for (const SkinSpot& spot : fibre) nearest = std::min(nearest, (placeOf(spot, skin) - place).norm());
@@ -210,7 +210,7 @@ double nearestOf(const MuscleSheet& sheet, const DrawnSkin& skin, const Vec3& pl
 
 TEST(MuscleMarks, ReachFromWhereTheyAriseToWhereTheyInsert) {
   const scene::World& world = *muscularTrunk();
-  const DrawnSkin skin = restOf(world);
+  const DrawnSkin skin = restSkin(world);
   struct Reach {
     Paint paint;
     std::vector<std::string> places;
@@ -224,16 +224,16 @@ TEST(MuscleMarks, ReachFromWhereTheyAriseToWhereTheyInsert) {
     const std::vector<MuscleSheet> sheets = sheetsOf(world, reach.paint);
     ASSERT_EQ(sheets.size(), 2u);
     for (const std::string& place : reach.places) {
-      EXPECT_LT(nearestOf(sheets[1], skin, landmarkOf(world, place)), 16.0) << place;
+      EXPECT_LT(distanceToFibres(sheets[1], skin, landmarkOf(world, place)), 16.0) << place;
     }
-    EXPECT_GT(boxOf(sheets[1], skin).center().x(), 20.0) << "right";
-    EXPECT_LT(boxOf(sheets[0], skin).center().x(), -20.0) << "left";
+    EXPECT_GT(sheetBox(sheets[1], skin).center().x(), 20.0) << "right";
+    EXPECT_LT(sheetBox(sheets[0], skin).center().x(), -20.0) << "left";
   }
 }
 
 TEST(MuscleMarks, LieOnTheSkinWithoutHoles) {
   const scene::World& world = *muscularTrunk();
-  const DrawnSkin skin = restOf(world);
+  const DrawnSkin skin = restSkin(world);
   const std::vector<MuscleSheet> sheets = muscleSheets(world);
   ASSERT_EQ(sheets.size(), 6u);
   for (const MuscleSheet& sheet : sheets) {
@@ -256,7 +256,7 @@ TEST(MuscleMarks, LieOnTheSkinWithoutHoles) {
 TEST(MuscleMarks, GoWhereThePressedSkinGoes) {
   const scene::World& world = *muscularTrunk();
   const SkinSpot& spot = sheetsOf(world, kErectorPaint)[1].fibres[16][20];
-  const Vec3 rest = placeOf(spot, restOf(world));
+  const Vec3 rest = placeOf(spot, restSkin(world));
   const FingerMark finger = pressedFinger(world, rest, 8.0);
   DrawnSkin pressed;
   pressed.copyAll(deformedBy(world, {&finger, 1}));
@@ -276,7 +276,7 @@ TEST(MuscleMarks, AreOfBodiesThatHaveAllTheirPlaces) {
 
 TEST(MuscleMarks, AreNowhereUnlessTheLookShowsThem) {
   const scene::World& world = *muscularTrunk();
-  const DrawnSkin skin = restOf(world);
+  const DrawnSkin skin = restSkin(world);
   Overlays overlays(world);
   EXPECT_TRUE(overlays.shapes({}, skin, {}).patches.points.empty());
   Look look;
@@ -295,7 +295,7 @@ TEST(MusclePictures, HaveTheirNames) {
   const PictureSettings settings = pictureSettings(*muscularTrunk(), view, 4.0 / 3.0);
   Studio studio(muscularTrunk());
   const deform::DeformedSurface rest(*muscularTrunk()->deformable);
-  const TakenPicture taken = studio.take(rest, {}, settings, {640, 480, 2});
+  const TakenPicture taken = studio.capture(rest, {}, settings, {640, 480, 2});
   EXPECT_TRUE(taken.notes.empty());
   support::expectPicture("muscles", taken.image, taken.drawn_by);
 }

@@ -11,7 +11,7 @@ namespace {
 constexpr PictureSize kSize{480, 480, 1};
 
 /// Last pixel of a row that is not background, which is black.
-int backOf(const Image& image, int row) {
+int findLastBodyPixel(const Image& image, int row) {
   int last = 0;
   for (int x = 0; x < image.width; ++x) {
     if (image.at(x, row)[0] > 40) last = x;
@@ -42,8 +42,8 @@ script = [{ do = "hold" }]
   settings.camera.centre = Vec3(0, -150, 60);
   const deform::DeformedSurface rest(*world->deformable);
   Studio studio(world);
-  const Image out = studio.take(rest, {}, settings, kSize).image;
-  const Image in = studio.take(rest, {.fingers = {}, .lift_mm = 10.0}, settings, kSize).image;
+  const Image out = studio.capture(rest, {}, settings, kSize).image;
+  const Image in = studio.capture(rest, {.fingers = {}, .lift_mm = 10.0}, settings, kSize).image;
   const double pixels_per_mm =
       kSize.height / (2.0 * settings.camera.distance_mm * std::tan(0.5 * settings.camera.height_rad));
   const auto row = [&](const char* name) {
@@ -57,9 +57,9 @@ script = [{ do = "hold" }]
   };
   const int ribs = row("spinous_T10");
   const int pelvis = row("spinous_L5") + 10;
-  ASSERT_GT(backOf(out, ribs), 100);
-  EXPECT_NEAR(backOf(in, ribs) - backOf(out, ribs), 10.0 * pixels_per_mm, 1.5);
-  EXPECT_EQ(backOf(in, pelvis), backOf(out, pelvis));
+  ASSERT_GT(findLastBodyPixel(out, ribs), 100);
+  EXPECT_NEAR(findLastBodyPixel(in, ribs) - findLastBodyPixel(out, ribs), 10.0 * pixels_per_mm, 1.5);
+  EXPECT_EQ(findLastBodyPixel(in, pelvis), findLastBodyPixel(out, pelvis));
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(Camera, FitsABoxFromEverySide) {
   for (const auto side : {StandardView::back, StandardView::left, StandardView::right, StandardView::above,
                           StandardView::front, StandardView::table, StandardView::below}) {
     const Camera camera = fitted(box, kWideAspect, side);
-    const Frustum frustum = frustumOf(screenOf(camera, kWideAspect), camera.eye(), 1.0, 5000.0);
+    const Frustum frustum = makeFrustum(cameraScreen(camera, kWideAspect), camera.eye(), 1.0, 5000.0);
     for (int corner = 0; corner < 8; ++corner) {
       const Vec2 seen = seenAt(frustum, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
       EXPECT_TRUE((seen.array() >= 0.0).all() && (seen.array() <= 1.0).all())
@@ -56,7 +56,7 @@ TEST(Camera, FitsABoxHoweverItIsTurned) {
     for (const double yaw : {0.0, 0.5, 1.2, 2.5}) {
       for (const double pitch : {-1.0, 0.0, 0.7}) {
         const Camera camera = fitted(box, aspect, Camera{.yaw_rad = yaw, .pitch_rad = pitch, .height_rad = 0.3});
-        const Frustum frustum = frustumOf(screenOf(camera, aspect), camera.eye(), 1.0, 9000.0);
+        const Frustum frustum = makeFrustum(cameraScreen(camera, aspect), camera.eye(), 1.0, 9000.0);
         for (int corner = 0; corner < 8; ++corner) {
           const Vec2 seen = seenAt(frustum, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
           EXPECT_TRUE((seen.array() >= 0.0).all() && (seen.array() <= 1.0).all())
@@ -70,7 +70,7 @@ TEST(Camera, FitsABoxHoweverItIsTurned) {
 TEST(Frustum, OfAnEyeBeforeTheMiddleOfTheScreenIsThePlainPerspective) {
   Camera camera;
   camera.distance_mm = 600.0;
-  const Frustum frustum = frustumOf(screenOf(camera, kWideAspect), camera.eye(), 10.0, 2000.0);
+  const Frustum frustum = makeFrustum(cameraScreen(camera, kWideAspect), camera.eye(), 10.0, 2000.0);
   const float cotangent = static_cast<float>(1.0 / std::tan(0.5 * camera.height_rad));
   EXPECT_NEAR(frustum.projection(1, 1), cotangent, 1e-5);
   EXPECT_NEAR(frustum.projection(0, 0), cotangent / kWideAspect, 1e-5);
@@ -79,9 +79,9 @@ TEST(Frustum, OfAnEyeBeforeTheMiddleOfTheScreenIsThePlainPerspective) {
 
 TEST(Frustum, OfAnEyeAsideKeepsTheScreenWhereItIs) {
   const Camera camera;
-  const Screen screen = screenOf(camera, kWideAspect);
+  const Screen screen = cameraScreen(camera, kWideAspect);
   for (const double aside : {-31.5, 0.0, 31.5}) {
-    const Frustum frustum = frustumOf(screen, camera.eye() + aside * camera.right(), 10.0, 5000.0);
+    const Frustum frustum = makeFrustum(screen, camera.eye() + aside * camera.right(), 10.0, 5000.0);
     EXPECT_TRUE(seenAt(frustum, screen.lower_left).isApprox(Vec2(0.0, 1.0), 1e-4) ||
                 (seenAt(frustum, screen.lower_left) - Vec2(0.0, 1.0)).norm() < 1e-4);
     EXPECT_LT((seenAt(frustum, screen.lower_right) - Vec2(1.0, 1.0)).norm(), 1e-4);
@@ -92,12 +92,12 @@ TEST(Frustum, OfAnEyeAsideKeepsTheScreenWhereItIs) {
 TEST(Frustum, ShiftsAPointByTheParallaxOfItsDistance) {
   Camera camera;
   camera.distance_mm = 600.0;
-  const Screen screen = screenOf(camera, kWideAspect);
+  const Screen screen = cameraScreen(camera, kWideAspect);
   const double width = (screen.lower_right - screen.lower_left).norm();
   constexpr double kEyes = 63.0;
   const Vec3 half = 0.5 * kEyes * camera.right();
-  const Frustum left = frustumOf(screen, camera.eye() - half, 10.0, 5000.0);
-  const Frustum right = frustumOf(screen, camera.eye() + half, 10.0, 5000.0);
+  const Frustum left = makeFrustum(screen, camera.eye() - half, 10.0, 5000.0);
+  const Frustum right = makeFrustum(screen, camera.eye() + half, 10.0, 5000.0);
   for (const double beyond : {-120.0, 0.0, 300.0}) {
     const Vec3 point = camera.centre - beyond * camera.backward();
     const double parallax = width * (seenAt(right, point).x() - seenAt(left, point).x());
@@ -108,7 +108,7 @@ TEST(Frustum, ShiftsAPointByTheParallaxOfItsDistance) {
 TEST(Frustum, NeedsAnEyeBeforeTheScreen) {
   const Camera camera;
   const Vec3 behind = camera.centre - camera.backward();
-  EXPECT_EQ(support::messageOf([&] { frustumOf(screenOf(camera, 1.0), behind, 1.0, 10.0); }),
+  EXPECT_EQ(support::thrownMessage([&] { makeFrustum(cameraScreen(camera, 1.0), behind, 1.0, 10.0); }),
             "the eye is not in front of the screen");
 }
 
@@ -116,8 +116,8 @@ TEST(Ray, ThroughAPlaceOfTheScreenMeetsWhatIsSeenThere) {
   Camera camera;
   camera.yaw_rad = 0.4;
   camera.pitch_rad = 0.2;
-  const Screen screen = screenOf(camera, kWideAspect);
-  const Frustum frustum = frustumOf(screen, camera.eye(), 10.0, 5000.0);
+  const Screen screen = cameraScreen(camera, kWideAspect);
+  const Frustum frustum = makeFrustum(screen, camera.eye(), 10.0, 5000.0);
   const Ray ray = rayThrough(screen, camera.eye(), 0.3, 0.8);
   EXPECT_LT((seenAt(frustum, ray.origin + 700.0 * ray.direction) - Vec2(0.3, 0.8)).norm(), 1e-5);
 }

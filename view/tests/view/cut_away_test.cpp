@@ -146,7 +146,7 @@ TEST(LumpMarks, FollowAMobileLump) {
   DrawnSkin skin;
   skin.copyAll(deformedBy(*world, {}));
   const contact::Lump& lump = world->lumps[0]->lump;
-  const Vec3 moved = middleOf(*world, 0, {&finger, 1}, skin) - middleOf(*world, 0, {}, skin);
+  const Vec3 moved = lumpCentre(*world, 0, {&finger, 1}, skin) - lumpCentre(*world, 0, {}, skin);
   EXPECT_NEAR(moved.dot(lump.across), -2.0, 1e-6);
   EXPECT_NEAR(moved.dot(lump.up), 1.0, 1e-6);
 }

@@ -31,13 +31,14 @@ class FingerPlate : public testing::Test {
     PictureSettings settings = pictureSettings(*world_, 4.0 / 3.0);
     settings.camera.centre = place;
     settings.camera.distance_mm = distance_mm;
-    const auto take = [&](FingerShape drawn, bool numbers) {
+    const auto capture = [&](FingerShape drawn, bool numbers) {
       settings.look.finger = drawn;
       settings.labels = LabelSettings::none();
       settings.labels.numbers = numbers;
-      return studio_.take(skin.surface(), {.fingers = fingers, .time_s = 0.0}, settings, kPlatePicture).image;
+      return studio_.capture(skin.surface(), {.fingers = fingers, .time_s = 0.0}, settings, kPlatePicture).image;
     };
-    const Image bare = take(FingerShape::none, false), drawn = take(shape, false), labelled = take(shape, true);
+    const Image bare = capture(FingerShape::none, false), drawn = capture(shape, false),
+                labelled = capture(shape, true);
     int covered = 0, all = 0;
     for (std::size_t i = 0; i < bare.pixels.size(); ++i) {
       if (difference(bare.pixels[i], drawn.pixels[i]) < 40) continue;  // its shadow may be written on

@@ -25,7 +25,7 @@ double distanceToSkin(const scene::World& world, const deform::DeformedSurface& 
 }
 
 TEST(FingerPose, RestsOnTheSkinAndNeverInIt) {
-  const auto world = worldOf(zoo::wavyGrid(40, 100.0, 6.0));
+  const auto world = meshWorld(zoo::wavyGrid(40, 100.0, 6.0));
   for (const double depth : {0.2, 3.0, 8.0}) {
     for (const Vec3& place : {Vec3(50, 50, 6), Vec3(31, 62, 6), Vec3(75, 25, 6)}) {
       const FingerMark finger = pressedFinger(*world, place - Vec3(0, 0, 6), depth, {2.0, 1.0, 0.0});
@@ -33,7 +33,7 @@ TEST(FingerPose, RestsOnTheSkinAndNeverInIt) {
       const auto surface = deformedBy(*world, {&finger, 1});
       DrawnSkin skin;
       skin.copyAll(surface);
-      const FingerPose pose = poseOf(*world, skin, finger);
+      const FingerPose pose = computeFingerPose(*world, skin, finger);
       const double distance = distanceToSkin(*world, surface, pose.centre);
       EXPECT_GT(distance, pose.radius_mm - 0.01);
       EXPECT_LT(distance, pose.radius_mm + 2.0) << "and does not float";
@@ -47,9 +47,9 @@ TEST(FingerPose, HoversWithItsPadAtThePointOfAFreeFinger) {
   skin.copyAll(deformedBy(*world, {}));
   FingerMark finger;
   finger.contact.tip = {50.0, 50.0, 20.0};
-  EXPECT_LT((poseOf(*world, skin, finger).centre - Vec3(50.0, 50.0, 28.0)).norm(), 1e-6);
+  EXPECT_LT((computeFingerPose(*world, skin, finger).centre - Vec3(50.0, 50.0, 28.0)).norm(), 1e-6);
   finger.haptic_radius_mm = 8.0;
-  EXPECT_LT((poseOf(*world, skin, finger).centre - Vec3(50.0, 50.0, 20.0)).norm(), 1e-6)
+  EXPECT_LT((computeFingerPose(*world, skin, finger).centre - Vec3(50.0, 50.0, 20.0)).norm(), 1e-6)
       << "a ball's tip is its centre";
 }
 
@@ -68,11 +68,11 @@ FingerPose ballAt(const Vec3& centre, bool left) {
 }
 
 TEST(HandPose, LaysThePadOfTheIndexFingerOnTheSkinAndKeepsTheRestOut) {
-  const auto world = worldOf(zoo::grid(60, 900.0));
+  const auto world = meshWorld(zoo::grid(60, 900.0));
   for (const bool left : {false, true}) {
     const body::PalpatingHand& hand = handOf(left);
     const FingerPose finger = ballAt({450.0, 450.0, 8.0}, left);
-    const HandPose pose = handPoseOf(*world, finger, hand);
+    const HandPose pose = computeHandPose(*world, finger, hand);
     EXPECT_NEAR(pose.axes.determinant(), 1.0, 1e-9) << "turned, not mirrored";
     double lowest = 1e300;
     Vec3 touching = Vec3::Zero();
@@ -99,11 +99,11 @@ TEST(HandPose, LaysThePadOfTheIndexFingerOnTheSkinAndKeepsTheRestOut) {
 
 TEST(HandPose, KeepsOutOfRoundBodies) {
   const double radius = 170.0;
-  const auto world = worldOf(zoo::sphere(radius, 5));
+  const auto world = meshWorld(zoo::sphere(radius, 5));
   for (const Vec3& way : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0.5, 0.4, -0.8), Vec3(0, -0.9, 0.4)}) {
     FingerPose finger = ballAt((radius + 8.0) * way.normalized(), false);
     finger.normal = way.normalized();
-    const HandPose pose = handPoseOf(*world, finger, handOf(false));
+    const HandPose pose = computeHandPose(*world, finger, handOf(false));
     for (const Vec3& point : handOf(false).mesh.positions) {
       const Vec3 place = pose.origin + pose.axes * point;
       EXPECT_TRUE(place.norm() > radius || (place - finger.centre).norm() < 36.0) << way.transpose();

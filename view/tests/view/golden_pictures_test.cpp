@@ -61,7 +61,7 @@ class GoldenPictures : public testing::Test {
   }
 
   void expect(const std::string& name, const PictureSettings& settings) {
-    const TakenPicture taken = studio_.take(surface_, {fingers_, 0.0}, settings, kGoldenSize);
+    const TakenPicture taken = studio_.capture(surface_, {fingers_, 0.0}, settings, kGoldenSize);
     support::expectPicture(name, taken.image, taken.drawn_by);
   }
 

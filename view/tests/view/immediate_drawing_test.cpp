@@ -31,7 +31,7 @@ TEST(ImmediateDrawing, CapturesEachTriangleOnce) {
 
 TEST(ImmediateDrawing, SaysWhenMoreIsDrawnThanThereIsRoomFor) {
   ImmediateDrawing drawing(kBox, 40, 40);
-  EXPECT_NE(support::messageOf([&] {
+  EXPECT_NE(support::thrownMessage([&] {
               drawing.capture(1, [] {
                 for (int i = 0; i < 50; ++i) drawSquare();
               });

@@ -38,7 +38,7 @@ TEST(LabelLayout, NoPlateLiesOnAnother) {
   std::vector<LabelBox> taken = {{{14.0f, 271.0f}, {164.0f, 434.0f}}, {{300.0f, 0.0f}, {400.0f, 320.0f}}};
   for (const Vec2f& tip : {Vec2f(168.0f, 118.0f), Vec2f(221.0f, 307.0f)}) {
     const LabelBox plate = placePlate(tip, kLabelSize, kPage, taken);
-    for (const LabelBox& box : taken) EXPECT_EQ(overlapOf(plate, box), 0.0f) << tip.transpose();
+    for (const LabelBox& box : taken) EXPECT_EQ(overlapArea(plate, box), 0.0f) << tip.transpose();
     taken.push_back(plate);
   }
 }
@@ -46,7 +46,7 @@ TEST(LabelLayout, NoPlateLiesOnAnother) {
 TEST(LabelLayout, HidesAsLittleAsPossibleWhereEverythingIsTaken) {
   const std::vector<LabelBox> taken = {{{0.0f, 0.0f}, {400.0f, 300.0f}}, {{0.0f, 310.0f}, {400.0f, 480.0f}}};
   const LabelBox plate = placePlate({200.0f, 280.0f}, kLabelSize, kPage, taken);
-  const float hidden = overlapOf(plate, taken[0]) + overlapOf(plate, taken[1]);
+  const float hidden = overlapArea(plate, taken[0]) + overlapArea(plate, taken[1]);
   EXPECT_LT(hidden, kLabelSize.x() * kLabelSize.y());
 }
 
@@ -88,16 +88,16 @@ TEST(FingerWords, SayHowDeepTheSkinIsDrawnWhereTheFingerIsDeeper) {
   const auto world = flatWorld();
   using Lines = std::vector<std::string>;
   FingerMark finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 6.0);
-  EXPECT_EQ(fingerWords(*world, finger, "left"), (Lines{"left", "depth 6.0 mm", "force 3.00 N"}));
+  EXPECT_EQ(fingerLabelLines(*world, finger, "left"), (Lines{"left", "depth 6.0 mm", "force 3.00 N"}));
   finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 14.4);
-  EXPECT_EQ(fingerWords(*world, finger, ""), (Lines{"depth 14.4 mm", "force 7.20 N", "skin drawn 10 mm deep"}));
+  EXPECT_EQ(fingerLabelLines(*world, finger, ""), (Lines{"depth 14.4 mm", "force 7.20 N", "skin drawn 10 mm deep"}));
 }
 
 TEST(FingerWords, TellTheWholeForceNotItsNormalPart) {
   const auto world = flatWorld();
   const FingerMark finger = pressedFinger(*world, {50.0, 50.0, 0.0}, 6.0, {2.0, 0.0, 0.0});
   EXPECT_GT(finger.contact.force.norm(), finger.contact.force.z() + 0.05) << "it pulls";
-  EXPECT_EQ(fingerWords(*world, finger, "").back(), fmt::format("force {:.2f} N", finger.contact.force.norm()));
+  EXPECT_EQ(fingerLabelLines(*world, finger, "").back(), fmt::format("force {:.2f} N", finger.contact.force.norm()));
 }
 
 }  // namespace

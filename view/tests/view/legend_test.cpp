@@ -44,7 +44,7 @@ TEST(Legend, ShowsEachValueInTheColourOfTheSkin) {
   const Image image = target.read();
   for (const double value : {-19.0, -7.0, 0.0, 12.5, 19.9}) {
     const int y = static_cast<int>(40.0 + 160.0 * (1.0 - heightOnBar(legend, value)));
-    const ColourBytes expected = bytesOf(colourOf(ColourMap::cool_warm, shareOf(look.range(), value)));
+    const ColourBytes expected = bytesOf(colourOf(ColourMap::cool_warm, rangeFraction(look.range(), value)));
     for (std::size_t channel = 0; channel < 3; ++channel) {
       EXPECT_NEAR(image.at(48, y)[channel], expected[channel], 2) << value;
     }

@@ -25,7 +25,7 @@ void expectTaken(const std::string& name, const std::shared_ptr<const scene::Wor
                  const PictureSettings& settings) {
   const std::span<const FingerMark> fingers(finger, finger != nullptr ? 1 : 0);
   Studio studio(world);
-  const TakenPicture taken = studio.take(deformedBy(*world, fingers), {fingers, 0.0}, settings, kLumpPictureSize);
+  const TakenPicture taken = studio.capture(deformedBy(*world, fingers), {fingers, 0.0}, settings, kLumpPictureSize);
   EXPECT_TRUE(taken.notes.empty());
   support::expectPicture(name, taken.image, taken.drawn_by);
 }

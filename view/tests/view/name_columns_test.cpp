@@ -36,18 +36,19 @@ bool liesWithin(const LabelBox& box, const LabelBox& page) {
 }
 
 /// What lies on what it must not; empty: nothing.
-std::string faultOf(std::span<const NameTag> tags, const std::vector<NamePlate>& plates, const NameGround& ground) {
+std::string findLayoutFault(std::span<const NameTag> tags, const std::vector<NamePlate>& plates,
+                            const NameGround& ground) {
   for (std::size_t i = 0; i < plates.size(); ++i) {
     if (!liesWithin(plates[i].box, ground.page)) return "a plate off the page";
     for (std::size_t k = 0; k < i; ++k) {
-      if (overlapOf(plates[i].box, plates[k].box) > 0.0f) return "a plate on a plate";
+      if (overlapArea(plates[i].box, plates[k].box) > 0.0f) return "a plate on a plate";
     }
     for (const LabelBox& box : ground.taken) {
-      if (overlapOf(plates[i].box, box) > 0.0f) return "a plate on what is taken";
+      if (overlapArea(plates[i].box, box) > 0.0f) return "a plate on what is taken";
     }
     for (const NamePlate& other : plates) {
       const Vec2f dot = tags[other.tag].dot;
-      if (overlapOf(plates[i].box, {dot - Vec2f::Ones(), dot + Vec2f::Ones()}) > 0.0f) return "a plate on a dot";
+      if (overlapArea(plates[i].box, {dot - Vec2f::Ones(), dot + Vec2f::Ones()}) > 0.0f) return "a plate on a dot";
     }
   }
   return {};
@@ -65,7 +66,7 @@ TEST(NameColumns, NothingLiesOnAnythingWhereverThePlacesAre) {
       NameGround ground = bodyOnPage(taken);
       if (seed % 3 == 0) ground.body_left = -500.0f, ground.body_right = 1900.0f;  // closer than the page is wide
       const std::vector<NamePlate> plates = nameColumns(tags, ground);
-      EXPECT_EQ(faultOf(tags, plates, ground), "") << "seed " << seed;
+      EXPECT_EQ(findLayoutFault(tags, plates, ground), "") << "seed " << seed;
       EXPECT_FALSE(plates.empty());
     }
   }

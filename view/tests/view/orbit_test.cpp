@@ -12,7 +12,7 @@ constexpr double kWindowAspect = 1.6;
 constexpr double kWindowHeight = 800.0;
 
 Vec2 seen(const Camera& camera, const Vec3& point) {
-  return seenAt(frustumOf(screenOf(camera, kWindowAspect), camera.eye(), 1.0, 1e5), point);
+  return seenAt(makeFrustum(cameraScreen(camera, kWindowAspect), camera.eye(), 1.0, 1e5), point);
 }
 
 Camera randomCamera(Random& random) {

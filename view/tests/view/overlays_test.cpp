@@ -65,7 +65,7 @@ TEST(PartitionMarks, HoldEveryTriangleWhoseBoxMeetsTheDetectingBox) {
   const auto world = flatWorld();
   DrawnSkin skin;
   skin.copyAll(deformedBy(*world, {}));
-  ShownPartition shown = partitionOf(*world);
+  ShownPartition shown = makeShownPartition(*world);
   shown.partition = std::make_shared<hdb::Partition>(hdb::buildPartition(world->body->skin, {.threshold = 64}));
   shown.box_edges_mm = Vec3::Constant(20.0);
   contact::FingerOutput contact{};
@@ -84,7 +84,7 @@ TEST(PartitionMarks, HoldEveryTriangleWhoseBoxMeetsTheDetectingBox) {
 }
 
 TEST(PartitionMarks, ColourPlanesByTheirAxis) {
-  const auto world = worldOf(zoo::sphere(50.0));
+  const auto world = meshWorld(zoo::sphere(50.0));
   const auto tree = hdb::buildPartition(world->body->skin, {.tree = hdb::TreeKind::Octree, .threshold = 400});
   Lines lines;
   Patches patches;

@@ -66,7 +66,7 @@ TEST(Picture, ShowsAPlaceToBothEyesWithTheParallaxOfItsDistance) {
   Studio studio(world);
   for (const double above : {10.0, 60.0, 100.0}) {
     const FingerMark ball[] = {ballAt({50.0, 50.0, above})};
-    const Image image = studio.take(rest, {ball, 0.0}, settings, kPictureSize).image;
+    const Image image = studio.capture(rest, {ball, 0.0}, settings, kPictureSize).image;
     const double pixels_per_mm = 270.0 / (2.0 * 600.0 * std::tan(0.15));
     const double expected = pixels_per_mm * 63.0 * (1.0 - 600.0 / (600.0 - above));
     EXPECT_NEAR(blueMiddle(image, kRightHalf) - blueMiddle(image, kLeftHalf), expected, 0.5) << above;
@@ -77,7 +77,7 @@ TEST(Picture, OfABodyInMapCoordinatesIsThatOfTheSameBodyNearby) {
   const auto pictureAt = [](const Vec3& place) {
     mesh::TriangleMesh sheet = zoo::grid(50, 100.0);
     for (Vec3& position : sheet.positions) position += place - Vec3(50.0, 50.0, 0.0);
-    const auto world = worldOf(std::move(sheet));
+    const auto world = meshWorld(std::move(sheet));
     const FingerMark finger = pressedFinger(*world, place, 8.0, Vec3(6.0, 0.0, 0.0));
     PictureSettings settings;
     settings.camera.centre = place;
@@ -103,9 +103,9 @@ TEST(Picture, ChangesNothingOutsideOfItsLens) {
   const FingerMark finger[] = {pressedFinger(*world, {50.0, 50.0, 0.0}, 6.0)};
   const deform::DeformedSurface surface = deformedBy(*world, finger);
   const PictureSize size{800, 600, 1};
-  const Image without = studio.take(surface, {finger, 0.0}, settings, size).image;
+  const Image without = studio.capture(surface, {finger, 0.0}, settings, size).image;
   settings.look.lens = true;
-  const Image with = studio.take(surface, {finger, 0.0}, settings, size).image;
+  const Image with = studio.capture(surface, {finger, 0.0}, settings, size).image;
   int changed = 0;
   for (int y = 0; y < size.height; ++y) {
     for (int x = 0; x < size.width; ++x) {
@@ -115,16 +115,16 @@ TEST(Picture, ChangesNothingOutsideOfItsLens) {
     }
   }
   EXPECT_GT(changed, 5000);
-  EXPECT_EQ(studio.take(surface, {{}, 0.0}, settings, size).image.pixels, studio
-                                                                              .take(
-                                                                                  surface, {{}, 0.0},
-                                                                                  [&] {
-                                                                                    auto s = settings;
-                                                                                    s.look.lens = false;
-                                                                                    return s;
-                                                                                  }(),
-                                                                                  size)
-                                                                              .image.pixels)
+  EXPECT_EQ(studio.capture(surface, {{}, 0.0}, settings, size).image.pixels, studio
+                                                                                 .capture(
+                                                                                     surface, {{}, 0.0},
+                                                                                     [&] {
+                                                                                       auto s = settings;
+                                                                                       s.look.lens = false;
+                                                                                       return s;
+                                                                                     }(),
+                                                                                     size)
+                                                                                 .image.pixels)
       << "without a finger there is none";
 }
 
@@ -146,12 +146,12 @@ TEST(Picture, InterlacesWholeRowsOfEachEyeWhenSupersampled) {
   const auto surface = deformedBy(*world, fingers);
   const PictureSize fine{240, 135, 2};
   Studio studio(world);
-  const auto take = [&](StereoMode mode, const PictureSize& size) {
-    return studio.take(surface, {fingers, 0.0}, settingsFor(mode), size).image;
+  const auto capture = [&](StereoMode mode, const PictureSize& size) {
+    return studio.capture(surface, {fingers, 0.0}, settingsFor(mode), size).image;
   };
-  const Image rows = take(StereoMode::interlaced, fine);
+  const Image rows = capture(StereoMode::interlaced, fine);
   // Top and bottom "full" of twice the height holds the same two pictures whole.
-  const Image whole = take(StereoMode::tb_full, {240, 270, 2});
+  const Image whole = capture(StereoMode::tb_full, {240, 270, 2});
   for (int y = 0; y < rows.height; ++y) {
     for (int x = 0; x < rows.width; ++x) {
       ASSERT_EQ(rows.at(x, y), whole.at(x, y + (y % 2 == 0 ? 0 : 135))) << x << " " << y;
@@ -192,10 +192,10 @@ TEST(Picture, HasDarkLettersOnPaperAndOnALightGround) {
     settings.camera.centre = {1e4, 1e4, 0.0};  // nothing but the ground
     settings.look.white_background = white;
     settings.look.light_background = true;
-    const Image bare = studio.take(surface, {}, settings, kPictureSize).image;
+    const Image bare = studio.capture(surface, {}, settings, kPictureSize).image;
     settings.labels.title = "Title";
     settings.labels.orientation = settings.labels.scale_bar = true;
-    const Image lettered = studio.take(surface, {}, settings, kPictureSize).image;
+    const Image lettered = studio.capture(surface, {}, settings, kPictureSize).image;
     int letters = 0;
     for (int y = 0; y < kPictureSize.height; ++y) {
       for (int x = 0; x < kPictureSize.width; ++x) {
@@ -218,7 +218,7 @@ TEST(Picture, ChangesWithEveryOverlay) {
   Studio studio(world);
   PictureSettings settings = settingsFor(StereoMode::mono);
   settings.labels.section = true;
-  const Image without = studio.take(surface, {fingers, 0.0}, settings, kPictureSize).image;
+  const Image without = studio.capture(surface, {fingers, 0.0}, settings, kPictureSize).image;
   for (std::size_t i = 0; i < kOverlays; ++i) {
     const auto overlay = static_cast<Overlay>(i);
     if (overlay == Overlay::pressure || overlay == Overlay::lumps)
@@ -226,7 +226,7 @@ TEST(Picture, ChangesWithEveryOverlay) {
     if (overlay == Overlay::muscles) continue;  // of the trunk: body_names_test
     settings.look.overlays.reset();
     settings.look.overlays.set(i);
-    const Image with = studio.take(surface, {fingers, 0.0}, settings, kPictureSize).image;
+    const Image with = studio.capture(surface, {fingers, 0.0}, settings, kPictureSize).image;
     EXPECT_NE(with.pixels, without.pixels) << kOverlayNames[i];
   }
 }

@@ -50,14 +50,14 @@ class PressPixels : public testing::Test {
     world_.reset();
   }
 
-  static Image take(const Vec3& place, const Look& look, const deform::DeformedSurface& surface,
-                    std::span<const FingerMark> fingers) {
+  static Image capture(const Vec3& place, const Look& look, const deform::DeformedSurface& surface,
+                       std::span<const FingerMark> fingers) {
     PictureSettings settings = pictureSettings(*world_, kWholeBodyAspect);
     settings.camera.centre.head<2>() = place.head<2>();  // as far from the eye as the whole body is
     settings.camera.height_rad = 2.0 * std::atan(kShareOfHeight * std::tan(0.5 * settings.camera.height_rad));
     settings.look = look;
     settings.labels = LabelSettings::none();
-    return studio_->take(surface, {.fingers = fingers, .time_s = 0.0}, settings, kRoundThePress).image;
+    return studio_->capture(surface, {.fingers = fingers, .time_s = 0.0}, settings, kRoundThePress).image;
   }
 
   /// The finger is left out of the pictures at rest and pressed, so that neither it nor its shadow counts.
@@ -74,13 +74,13 @@ class PressPixels : public testing::Test {
     Look look = fingerless();
     look.skin_opacity = 0.0;
     look.finger = shape;
-    const Image drawn = take(place, look, surface, fingers);
+    const Image drawn = capture(place, look, surface, fingers);
     std::vector<bool> hidden(bare.pixels.size());
     for (std::size_t i = 0; i < hidden.size(); ++i) hidden[i] = bare.pixels[i] != drawn.pixels[i];
     return hidden;
   }
 
-  static int seenOf(const Image& rest, const Image& pressed, const std::vector<bool>& hidden) {
+  static int countVisibleChanges(const Image& rest, const Image& pressed, const std::vector<bool>& hidden) {
     int seen = 0;
     for (std::size_t i = 0; i < hidden.size(); ++i) {
       if (!hidden[i] && difference(rest.pixels[i], pressed.pixels[i]) > kSeenLevels) ++seen;
@@ -98,14 +98,14 @@ TEST_F(PressPixels, AreEnoughWhenTheWholeBodyIsSeen) {
     const FingerMark finger = pressedFinger(*world_, place, kPressMm);
     const std::span<const FingerMark> fingers(&finger, 1);
     engine::LivingSkin skin(*world_, {.strain = false, .fingers = 1});
-    const Image rest = take(place, fingerless(), skin.surface(), {});
+    const Image rest = capture(place, fingerless(), skin.surface(), {});
     skin.follow(std::span<const contact::FingerOutput>(&finger.contact, 1));
-    const Image pressed = take(place, fingerless(), skin.surface(), fingers);
+    const Image pressed = capture(place, fingerless(), skin.surface(), fingers);
     Look skinless = fingerless();
     skinless.skin_opacity = 0.0;
-    const Image bare = take(place, skinless, skin.surface(), fingers);
+    const Image bare = capture(place, skinless, skin.surface(), fingers);
     for (const FingerShape shape : {FingerShape::automatic, FingerShape::ball}) {
-      const int seen = seenOf(rest, pressed, hiddenBy(shape, place, bare, skin.surface(), fingers));
+      const int seen = countVisibleChanges(rest, pressed, hiddenBy(shape, place, bare, skin.surface(), fingers));
       EXPECT_GE(seen, kEnoughPixels) << wordFor(shape) << " at " << x << ", " << y;
     }
   }
@@ -119,9 +119,9 @@ TEST_F(PressPixels, AreOfTheShadingOfDentsThatCanBeTurnedOff) {
   for (const Shading shading : {Shading::gouraud, Shading::skin}) {
     Look look = fingerless();
     look.shading = shading;
-    const Image shaded = take(place, look, skin.surface(), std::span(&finger, 1));
+    const Image shaded = capture(place, look, skin.surface(), std::span(&finger, 1));
     look.dent_contrast = 0.0;
-    const Image plain = take(place, look, skin.surface(), std::span(&finger, 1));
+    const Image plain = capture(place, look, skin.surface(), std::span(&finger, 1));
     int differing = 0;
     for (std::size_t i = 0; i < shaded.pixels.size(); ++i) {
       if (difference(shaded.pixels[i], plain.pixels[i]) > kSeenLevels) ++differing;
@@ -151,7 +151,7 @@ int helpedPixels(const std::string& preset, double at_s) {
     settings.look.finger = FingerShape::none;
     settings.look.dent_contrast = contrast;
     settings.labels = LabelSettings::none();
-    return studio.take(skin.surface(), {.fingers = fingers, .time_s = 0.0}, settings, {800, 500, 2}).image;
+    return studio.capture(skin.surface(), {.fingers = fingers, .time_s = 0.0}, settings, {800, 500, 2}).image;
   };
   const Image helped = picture(1.0), plain = picture(0.0);
   int changed = 0;

@@ -14,9 +14,9 @@ namespace {
 double lightness(const ColourBytes& c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }
 
 TEST(PressurePad, GrowsLighterFromNothingToTheTopOfItsScale) {
-  for (int i = 1; i <= 50; ++i) EXPECT_GT(lightness(heatOf(i / 50.0)), lightness(heatOf((i - 1) / 50.0))) << i;
-  EXPECT_EQ(heatOf(-1.0), heatOf(0.0));
-  EXPECT_EQ(heatOf(2.0), heatOf(1.0));
+  for (int i = 1; i <= 50; ++i) EXPECT_GT(lightness(heatColour(i / 50.0)), lightness(heatColour((i - 1) / 50.0))) << i;
+  EXPECT_EQ(heatColour(-1.0), heatColour(0.0));
+  EXPECT_EQ(heatColour(2.0), heatColour(1.0));
 }
 
 TEST(PressurePad, HasARoundScaleThatALightTouchDoesNotFill) {
@@ -57,10 +57,10 @@ TEST(PressurePad, TakesTheFormOfTheScenesFinger) {
   scene.fingers.resize(2);
   scene.fingers[1].pad = 8;
   scene.fingers[1].pad_mm = 12.0;
-  EXPECT_EQ(padOf(scene, 0).taxels, 4u);
-  EXPECT_EQ(padOf(scene, 1).taxels, 8u);
-  EXPECT_EQ(padOf(scene, 1).size_mm, 12.0);
-  EXPECT_EQ(padOf(scene, 7).taxels, 4u);
+  EXPECT_EQ(fingerPad(scene, 0).taxels, 4u);
+  EXPECT_EQ(fingerPad(scene, 1).taxels, 8u);
+  EXPECT_EQ(fingerPad(scene, 1).size_mm, 12.0);
+  EXPECT_EQ(fingerPad(scene, 7).taxels, 4u);
 }
 
 TEST(PressurePad, LiesOnTheSkinUnderTheFingerAndNowhereElse) {

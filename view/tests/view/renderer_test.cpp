@@ -33,7 +33,7 @@ struct Scene {
   Look look;
   std::vector<FingerMark> fingers;
 
-  Frustum frustum() const { return frustumOf(screenOf(camera, kAspect), camera.eye(), kNear, kFar); }
+  Frustum frustum() const { return makeFrustum(cameraScreen(camera, kAspect), camera.eye(), kNear, kFar); }
 
   void press(const Vec3& place, double depth_mm, const Vec3& drag_mm = Vec3::Zero()) {
     fingers = {pressedFinger(*world, place, depth_mm, drag_mm)};
@@ -48,18 +48,18 @@ struct Scene {
     return target.read();
   }
 
-  Vec2 pixelOf(const Vec3& place) const { return seenAt(frustum(), place).cwiseProduct(Vec2(kWidth, kHeight)); }
+  Vec2 toPixel(const Vec3& place) const { return seenAt(frustum(), place).cwiseProduct(Vec2(kWidth, kHeight)); }
 
   /// Distance from the camera, along its axis, of what is seen at a place.
   double distanceAt(const Vec3& place) {
-    const Vec2 pixel = pixelOf(place);
+    const Vec2 pixel = toPixel(place);
     float depth = 0.0f;
     target.bind();
     glReadPixels(static_cast<int>(pixel.x()), kHeight - 1 - static_cast<int>(pixel.y()), 1, 1, GL_DEPTH_COMPONENT,
                  GL_FLOAT, &depth);
     return 2.0 * kNear * kFar / (kFar + kNear - (2.0 * depth - 1.0) * (kFar - kNear));
   }
-  double distanceOf(const Vec3& place) const { return (camera.eye() - place).dot(camera.backward()); }
+  double expectedDistance(const Vec3& place) const { return (camera.eye() - place).dot(camera.backward()); }
 };
 
 std::size_t differing(const Image& a, const Image& b) {
@@ -80,7 +80,7 @@ TEST(Renderer, DrawsTheSamePictureTwice) {
 TEST(Renderer, DrawsTheSamePictureWhenWhatIsOutsideIsLeftOut) {
   mesh::TriangleMesh mesh = zoo::grid(120, 300.0);
   mesh::reorderSpatially(mesh);
-  Scene scene(worldOf(std::move(mesh)));
+  Scene scene(meshWorld(std::move(mesh)));
   scene.press({150.0, 150.0, 0.0}, 8.0, {12.0, 0.0, 0.0});
   for (const double opacity : {1.0, 0.6}) {
     for (const double nearness : {1.0, 0.4, 0.15}) {
@@ -109,7 +109,7 @@ TEST(Renderer, ShowsAFieldInTheColoursOfItsMap) {
                          : colouring == Colouring::stiffness ? kTestStiffness
                                                              : 50.0;
     const ColourRange range = scene.look.range();
-    const auto expected = bytesOf(colourOf(colourMapOf(colouring), (value - range.low) / (range.high - range.low)));
+    const auto expected = bytesOf(colourOf(fieldColourMap(colouring), (value - range.low) / (range.high - range.low)));
     const Pixel seen = scene.draw().at(kWidth / 2, kHeight / 2);
     EXPECT_LE(difference(seen, {expected[0], expected[1], expected[2]}), 2)
         << kColouringNames[static_cast<int>(colouring)];
@@ -130,13 +130,13 @@ TEST(Renderer, PutsTheDeformedSkinWhereItIs) {
   scene.look.finger = FingerShape::none;
   const Vec3 place(50.0, 50.0, 0.0);
   scene.draw();
-  EXPECT_NEAR(scene.distanceAt(place), scene.distanceOf(place), 0.3);
+  EXPECT_NEAR(scene.distanceAt(place), scene.expectedDistance(place), 0.3);
   scene.press(place, 8.0);
   const Vec3 dent = place - Vec3(0.0, 0.0, 8.0);
   for (const Shading shading : {Shading::gouraud, Shading::skin}) {
     scene.look.shading = shading;
     scene.draw();
-    EXPECT_NEAR(scene.distanceAt(dent), scene.distanceOf(dent), 0.3);
+    EXPECT_NEAR(scene.distanceAt(dent), scene.expectedDistance(dent), 0.3);
   }
 }
 
@@ -218,7 +218,7 @@ TEST(Renderer, ChangesOnlyPixelsNearAnOverlay) {
   scene.look.show(Overlay::contact);
   const Image on = scene.draw();
   const contact::FingerOutput& contact = scene.fingers.front().contact;
-  const Vec2 middle = scene.pixelOf(contact.proxy);
+  const Vec2 middle = scene.toPixel(contact.proxy);
   EXPECT_GT(differing(on, off), 5u);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {

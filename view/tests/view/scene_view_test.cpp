@@ -67,13 +67,13 @@ TEST(SceneView, BecomesTheSettingsOfThePicture) {
 }
 
 TEST(SceneView, RefusesAHeadBehindItsScreen) {
-  EXPECT_EQ(support::messageOf([] { parsed("head_mm = [0, 0, -1]"); }),
+  EXPECT_EQ(support::thrownMessage([] { parsed("head_mm = [0, 0, -1]"); }),
             "test.toml:1: [view] head_mm must be in front of the screen: third number > 0");
 }
 
 TEST(SceneView, RefusesWhatItDoesNotKnow) {
-  EXPECT_NE(support::messageOf([] { parsed("show = [\"wirefame\"]"); }).find("\"wireframe\""), std::string::npos);
-  EXPECT_EQ(support::messageOf([] { parsed("side = \"inside\""); }),
+  EXPECT_NE(support::thrownMessage([] { parsed("show = [\"wirefame\"]"); }).find("\"wireframe\""), std::string::npos);
+  EXPECT_EQ(support::thrownMessage([] { parsed("side = \"inside\""); }),
             "test.toml:2: [view] side must be \"back\" or \"left\" or \"right\" or \"above\" or \"front\" or \"table\" "
             "or \"below\", not \"inside\"");
 }

@@ -63,7 +63,7 @@ TEST(Section, ThroughACornerOfTheMeshIsWholeToo) {
 }
 
 TEST(Section, GoesRoundAClosedBodyOnce) {
-  const auto world = worldOf(zoo::sphere(20.0));
+  const auto world = meshWorld(zoo::sphere(20.0));
   const auto surface = deformedBy(*world, {});
   const SectionPlane plane{{0.0, 0.0, 20.0}, Vec3::UnitX(), Vec3::UnitZ()};
   const auto curve = sectionCurve(*world, surface, plane, 1000.0);

@@ -22,7 +22,7 @@ std::vector<Vec3f> normalsOf(const deform::Skin& skin) {
   return normals;
 }
 
-std::vector<Triangle> coarserTriangles(const deform::Skin& skin, std::span<const Stays> stays, float cell_mm) {
+std::vector<Triangle> coarserTriangles(const deform::Skin& skin, std::span<const Required> stays, float cell_mm) {
   return coarserTriangles({placesOf(skin), normalsOf(skin), skin.triangles}, stays, cell_mm);
 }
 
@@ -47,8 +47,8 @@ struct Sheet {
   mesh::TriangleMesh mesh = ordered(zoo::grid(80, 300.0));
   SkinChunks chunks{placesOf(deform::buildSkin(mesh)), mesh.triangles};
   Camera camera = fitted(mesh::boundingBox(mesh), 1.5);
-  Mat4f clip() const { return frustumOf(screenOf(camera, 1.5), camera.eye(), 10.0, 5000.0).clip(); }
-  Vec3 middleOf(Index triangle) const { return centreOf(mesh, mesh.triangles[triangle]); }
+  Mat4f clip() const { return makeFrustum(cameraScreen(camera, 1.5), camera.eye(), 10.0, 5000.0).clip(); }
+  Vec3 triangleCentre(Index triangle) const { return centreOf(mesh, mesh.triangles[triangle]); }
 };
 
 TEST(SkinChunks, DrawEveryTriangleOnceWhenAllIsSeen) {
@@ -67,7 +67,7 @@ TEST(SkinChunks, CountAsTouchedAllThatIsNearAFinger) {
   EXPECT_FALSE(runs.plain.empty()) << "and not everything";
   for (const IndexRun& run : runs.plain) {
     for (Index i = run.first; i < run.first + run.count; i += 3) {
-      const Vec3 middle = sheet.middleOf(i / 3);
+      const Vec3 middle = sheet.triangleCentre(i / 3);
       const double x = std::clamp(middle.x(), 100.0, 200.0);
       EXPECT_GT((middle - Vec3(x, 100.0, 0.0)).norm(), 20.0);
     }
@@ -77,13 +77,13 @@ TEST(SkinChunks, CountAsTouchedAllThatIsNearAFinger) {
 TEST(SkinChunks, LeaveOutOnlyWhatIsOutsideThePicture) {
   Sheet sheet;
   sheet.camera.distance_mm *= 0.2;
-  const Frustum frustum = frustumOf(screenOf(sheet.camera, 1.5), sheet.camera.eye(), 10.0, 5000.0);
+  const Frustum frustum = makeFrustum(cameraScreen(sheet.camera, 1.5), sheet.camera.eye(), 10.0, 5000.0);
   const auto count = drawn(sheet.chunks.split(sheet.clip(), {}), 3 * sheet.mesh.triangles.size());
   std::size_t left_out = 0;
   for (Index t = 0; t < sheet.mesh.triangles.size(); ++t) {
     if (count[std::size_t{3} * t] == 1) continue;
     ++left_out;
-    const Vec2 seen = seenAt(frustum, sheet.middleOf(t));
+    const Vec2 seen = seenAt(frustum, sheet.triangleCentre(t));
     EXPECT_FALSE(seen.x() > 0.0 && seen.x() < 1.0 && seen.y() > 0.0 && seen.y() < 1.0);
   }
   EXPECT_GT(left_out, sheet.mesh.triangles.size() / 2);
@@ -115,7 +115,7 @@ TEST(SkinChunks, AreChosenByTheirTreeAsEachWouldBe) {
       camera.distance_mm *= nearness;
       camera.yaw_rad = yaw;
       camera.centre += Vec3(40.0, -30.0, 0.0);
-      const Mat4f clip = frustumOf(screenOf(camera, 1.5), camera.eye(), 10.0, 5000.0).clip();
+      const Mat4f clip = makeFrustum(cameraScreen(camera, 1.5), camera.eye(), 10.0, 5000.0).clip();
       const auto expected = drawnChunkByChunk(sheet, clip, {&finger, 1});
       const SplitRuns& runs = sheet.chunks.split(clip, {&finger, 1});
       std::vector<int> found(expected.size(), 0);
@@ -149,7 +149,7 @@ TEST(SkinChunks, AreAllTakenWithoutCulling) {
 TEST(CoarserTriangles, CoverTheSameSkinWithFewerOfItsVertices) {
   const mesh::TriangleMesh ball = zoo::sphere(50.0, 5);
   const deform::Skin skin = deform::buildSkin(ball);
-  const std::vector<Stays> none(skin.vertices, Stays::no);
+  const std::vector<Required> none(skin.vertices, Required::no);
   mesh::TriangleMesh coarse;
   for (Index v = 0; v < skin.vertices; ++v) coarse.positions.push_back(skin.restPosition(v).cast<double>());
   coarse.triangles = coarserTriangles(skin, none, 8.0f);
@@ -167,16 +167,16 @@ TEST(CoarserTriangles, CoverTheSameSkinWithFewerOfItsVertices) {
 TEST(CoarserTriangles, KeepTheVerticesThatAreFixed) {
   const mesh::TriangleMesh grid = zoo::grid(40, 100.0);
   const deform::Skin skin = deform::buildSkin(grid);
-  std::vector<Stays> stays(skin.vertices, Stays::no);
+  std::vector<Required> stays(skin.vertices, Required::no);
   for (Index v = 0; v < skin.vertices; ++v) {
-    if (skin.triangles_of_vertex[v].size() < 6) stays[v] = Stays::vertex;
+    if (skin.triangles_of_vertex[v].size() < 6) stays[v] = Required::vertex;
   }
   std::vector<std::uint8_t> used(skin.vertices, 0);
   for (const Triangle& t : coarserTriangles(skin, stays, 20.0f)) {
     for (const Index v : t) used[v] = 1;
   }
   for (Index v = 0; v < skin.vertices; ++v) {
-    EXPECT_TRUE(used[v] == 1 || stays[v] == Stays::no) << skin.restPosition(v).transpose();
+    EXPECT_TRUE(used[v] == 1 || stays[v] == Required::no) << skin.restPosition(v).transpose();
   }
 }
 

@@ -47,8 +47,9 @@ class SkinLook : public testing::Test {
     return settings;
   }
 
-  Image take(const PictureSettings& settings, std::span<const FingerMark> fingers = {}) {
-    return studio_.take(deformedBy(*world_, fingers), {.fingers = fingers, .time_s = 0.0}, settings, kLookSize).image;
+  Image capture(const PictureSettings& settings, std::span<const FingerMark> fingers = {}) {
+    return studio_.capture(deformedBy(*world_, fingers), {.fingers = fingers, .time_s = 0.0}, settings, kLookSize)
+        .image;
   }
 
   std::vector<double> luminances(const Image& image) const {
@@ -68,7 +69,7 @@ double shareAbove(const std::vector<double>& values, double limit) {
   return static_cast<double>(above) / static_cast<double>(std::max<std::size_t>(1, values.size()));
 }
 
-double meanOf(const std::vector<double>& values) {
+double meanValue(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
   return sum / static_cast<double>(std::max<std::size_t>(1, values.size()));
@@ -80,11 +81,11 @@ TEST_F(SkinLook, HasNoPlasticHighlights) {
       scene::ViewSettings view;
       view.skin_tone = tone;
       view.yaw_deg = yaw_deg;
-      const std::vector<double> values = luminances(take(settings(view)));
+      const std::vector<double> values = luminances(capture(settings(view)));
       ASSERT_GT(values.size(), 20000u);
       EXPECT_LT(shareAbove(values, 0.97), 0.0005) << tone << " " << yaw_deg;
       // A highlight is much brighter than the skin round it, and small.
-      EXPECT_LT(shareAbove(values, std::min(0.95, meanOf(values) * 1.6 + 0.12)), 0.02) << tone << " " << yaw_deg;
+      EXPECT_LT(shareAbove(values, std::min(0.95, meanValue(values) * 1.6 + 0.12)), 0.02) << tone << " " << yaw_deg;
     }
   }
 }
@@ -96,7 +97,7 @@ TEST_F(SkinLook, IsDarkerFromToneToTone) {
       scene::ViewSettings view;
       view.skin_tone = tone;
       view.shading = shading;
-      const double mean = meanOf(luminances(take(settings(view))));
+      const double mean = meanValue(luminances(capture(settings(view))));
       EXPECT_LT(mean, before - 0.015) << tone;
       before = mean;
     }
@@ -107,7 +108,7 @@ TEST_F(SkinLook, IsDarkerFromToneToTone) {
 
 TEST(SkinTones, AreWarm) {
   for (double tone = 0.0; tone <= 7.0; tone += 0.25) {
-    const Vec3f colour = skinToneOf(tone).colour;
+    const Vec3f colour = interpolateSkinTone(tone).colour;
     EXPECT_GT(colour.x(), colour.y());
     EXPECT_GT(colour.y(), colour.z());
   }
@@ -134,9 +135,9 @@ TEST_F(SkinLook, ShowsItsLinesOnlyFromNearBy) {
     scene::ViewSettings view;
     view.look_at_mm = skinAt(*world_, 45.0, 40.0);
     view.zoom = zoom;
-    const double with_lines = roughnessOf(take(settings(view)));
+    const double with_lines = roughnessOf(capture(settings(view)));
     view.detail = false;
-    const double without = roughnessOf(take(settings(view)));
+    const double without = roughnessOf(capture(settings(view)));
     if (zoom < 3.0) {
       EXPECT_LT(with_lines, without + 0.0005) << "no peel of an orange at zoom " << zoom;
     } else {
@@ -147,7 +148,7 @@ TEST_F(SkinLook, ShowsItsLinesOnlyFromNearBy) {
 
 /// The mean luminance of the ring from 10 to 16 mm round a place.
 double luminanceRound(const Image& image, const PictureSettings& settings, const Vec3& place) {
-  const Frustum frustum = frustumOf(screenOf(settings.camera, kLookAspect), settings.camera.eye(), 10.0, 5000.0);
+  const Frustum frustum = makeFrustum(cameraScreen(settings.camera, kLookAspect), settings.camera.eye(), 10.0, 5000.0);
   double sum = 0.0;
   int count = 0;
   for (int i = 0; i < 48; ++i) {
@@ -171,8 +172,8 @@ TEST_F(SkinLook, ShowsADentWhenTheWholeBodyIsSeen) {
       view.shading = shading;
       view.finger = FingerShape::none;
       view.dent_contrast = contrast;
-      const double rest = luminanceRound(take(settings(view)), settings(view), place);
-      const double pressed = luminanceRound(take(settings(view), fingers), settings(view), place);
+      const double rest = luminanceRound(capture(settings(view)), settings(view), place);
+      const double pressed = luminanceRound(capture(settings(view), fingers), settings(view), place);
       const double darker = 1.0 - pressed / rest;
       EXPECT_GT(darker, before) << "contrast " << contrast;
       if (contrast == 1.0) {
@@ -195,10 +196,10 @@ TEST_F(SkinLook, ShowsTheShadowOfAFingerThatComesNear) {
   for (const Shading shading : {Shading::gouraud, Shading::skin}) {
     scene::ViewSettings view;
     view.shading = shading;
-    const Image bare = take(settings(view));
+    const Image bare = capture(settings(view));
     double far_darkest = 0.0;
     for (const double height_mm : {40.0, 12.0}) {
-      const Image shaded = take(settings(view), finger(height_mm));
+      const Image shaded = capture(settings(view), finger(height_mm));
       double darkest = 0.0;
       for (int y = 0; y < bare.height; ++y) {
         for (int x = 0; x < bare.width; ++x) {
@@ -278,9 +279,9 @@ TEST_F(SkinLook, IsNotCutWhereItsHandComesNearTheEye) {
       view.distance_mm = distance_mm;
       view.zoom = zoom;
       view.finger = FingerShape::none;
-      const Image bare = take(settings(view), fingers);
+      const Image bare = capture(settings(view), fingers);
       view.finger = FingerShape::hand;
-      const Image hand = take(settings(view), fingers);
+      const Image hand = capture(settings(view), fingers);
       std::size_t changed = 0;
       std::size_t black = 0;
       for (std::size_t i = 0; i < bare.pixels.size(); ++i) {
@@ -301,7 +302,7 @@ TEST_F(SkinLook, HasAHandThatIsOpaqueFromFarAway) {
     view.distance_mm = distance_mm;
     view.zoom = std::max(1.0, distance_mm / 1200.0);
     view.finger = FingerShape::hand;
-    const Image image = take(settings(view), fingers);
+    const Image image = capture(settings(view), fingers);
     const auto band = std::count_if(image.pixels.begin(), image.pixels.end(),
                                     [](const Pixel& pixel) { return pixel[2] > pixel[0] + 60; });
     EXPECT_GT(band, 60) << "the band round its wrist is blue, " << distance_mm << " mm";
@@ -311,20 +312,20 @@ TEST_F(SkinLook, HasAHandThatIsOpaqueFromFarAway) {
 TEST_F(SkinLook, HoldsTheWholeForearmBetweenItsPlanes) {
   // A hand pressed anywhere on the back reaches so far from it.
   const PictureSettings whole = settings();
-  const Eyes eyes = eyesOf(whole.camera, whole.stereo, kLookAspect);
-  const DepthRange range = depthRangeOf(eyes, mesh::boundingBox(world_->body->skin), kRoomForHandsMm);
+  const Eyes eyes = placeEyes(whole.camera, whole.stereo, kLookAspect);
+  const DepthRange range = computeClipRange(eyes, mesh::boundingBox(world_->body->skin), kRoomForHandsMm);
   const double highest_skin = mesh::boundingBox(world_->body->skin).max().z();
   EXPECT_LT(range.near_mm, whole.camera.eye().z() - highest_skin - 400.0);
   EXPECT_GT(range.near_mm, 0.0);
 }
 
 TEST(SkinShade, IsDarkInAFoldAndNotOnAPlane) {
-  const auto flat = worldOf(zoo::grid(40, 400.0));
+  const auto flat = meshWorld(zoo::grid(40, 400.0));
   for (const float open : skyLeft(*flat->deformable)) EXPECT_FLOAT_EQ(open, 1.0f);
   // A valley of a right angle: half of the sky at its ground, all of it on its crests.
   mesh::TriangleMesh valley = zoo::grid(40, 400.0);
   for (Vec3& p : valley.positions) p.z() = std::abs(p.x() - 200.0);
-  const auto folded = worldOf(valley);
+  const auto folded = meshWorld(valley);
   const std::vector<float> open = skyLeft(*folded->deformable);
   for (std::size_t v = 0; v < open.size(); ++v) {
     const Vec3& p = folded->body->skin.positions[v];

@@ -59,7 +59,7 @@ class TexturedSkin : public testing::Test {
   Frustum frustumFor(const scene::World& world) const {
     Camera camera = fitted(mesh::boundingBox(world.body->skin), kTexturedAspect);
     camera.yaw_rad = yaw_rad_;
-    return frustumOf(screenOf(camera, kTexturedAspect), camera.eye(), 10.0, 2000.0);
+    return makeFrustum(cameraScreen(camera, kTexturedAspect), camera.eye(), 10.0, 2000.0);
   }
   Image draw(const World& world, const std::vector<FingerMark>& fingers = {}) {
     Renderer renderer(world);
@@ -102,10 +102,10 @@ TEST_F(TexturedSkin, ShowsEachPlaceOfThePictureInItsColour) {
 
 TEST_F(TexturedSkin, LooksLikeSkinOfTheColourOfThePicture) {
   const mesh::TriangleMesh sheet = zoo::grid(20, 100.0);
-  const Image skin = draw(worldOf(sheet));
+  const Image skin = draw(meshWorld(sheet));
   Pixel encoded;
   for (Eigen::Index i = 0; i < 3; ++i) {
-    const double linear = skinToneOf(look_.skin_tone).colour[i];
+    const double linear = interpolateSkinTone(look_.skin_tone).colour[i];
     encoded[static_cast<std::size_t>(i)] =
         static_cast<std::uint8_t>(std::lround(255.0 * (1.055 * std::pow(linear, 1.0 / 2.4) - 0.055)));
   }
@@ -189,7 +189,7 @@ TEST_F(TexturedSkin, MayBeJpeg) {
 
 TEST_F(TexturedSkin, CanBeSwitchedOffAndGivesWayToFields) {
   const mesh::TriangleMesh sheet = zoo::grid(20, 100.0);
-  const World bare = worldOf(sheet);
+  const World bare = meshWorld(sheet);
   const World world = texturedWorld(sheet, onSheetInTwoParts, pngBytes(fourColours()));
   EXPECT_GT(largestDifference(draw(world), draw(bare)), 30);
   look_.texture = false;
@@ -216,7 +216,7 @@ TEST_F(TexturedSkin, SaysWhichPictureIsBroken) {
   const std::string whole = pngBytes(fourColours());
   const mesh::TriangleMesh sheet = zoo::grid(4, 100.0);
   for (const std::string& picture : {whole.substr(0, 60), std::string("\x89PNG\r\n\x1a\n"), std::string()}) {
-    EXPECT_EQ(support::messageOf([&] { Renderer(texturedWorld(sheet, support::onSheet, picture)); }),
+    EXPECT_EQ(support::thrownMessage([&] { Renderer(texturedWorld(sheet, support::onSheet, picture)); }),
               "s.toml:4: [body] texture: picture.png: is a broken picture");
   }
 }

@@ -17,7 +17,7 @@ namespace palpate::view {
 inline constexpr double kTestStiffness = 0.5;
 
 /// The mesh as it is, the same stiffness everywhere, no bones, no key points, circles of 50 mm.
-inline std::shared_ptr<const scene::World> worldOf(mesh::TriangleMesh mesh) {
+inline std::shared_ptr<const scene::World> meshWorld(mesh::TriangleMesh mesh) {
   scene::BodyParts parts;
   parts.name = "test";
   parts.skin = std::move(mesh);
@@ -39,7 +39,7 @@ inline std::shared_ptr<const scene::World> worldOf(mesh::TriangleMesh mesh) {
 }
 
 /// Flat, 100 x 100 mm from the origin, facing +z: cells of 2 mm.
-inline std::shared_ptr<const scene::World> flatWorld() { return worldOf(zoo::grid(50, 100.0)); }
+inline std::shared_ptr<const scene::World> flatWorld() { return meshWorld(zoo::grid(50, 100.0)); }
 
 /// A point finger straight above `place`, pressed to `depth_mm` along -z and dragged there.
 inline FingerMark pressedFinger(const scene::World& world, const Vec3& place, double depth_mm,

@@ -48,10 +48,10 @@ StereoSettings composedAs(StereoMode mode) {
   return settings;
 }
 
-std::uint8_t byteOf(int value) { return static_cast<std::uint8_t>(value); }
-Pixel leftPixel(int x, int y) { return {byteOf(10 * x), byteOf(20 * y), 40}; }
-Pixel rightPixel(int x, int y) { return {byteOf(255 - 10 * x), 90, byteOf(15 * y)}; }
-Pixel greyPixel(int x, int y) { return {byteOf(9 * x + y), byteOf(9 * x + y), byteOf(9 * x + y)}; }
+std::uint8_t toByte(int value) { return static_cast<std::uint8_t>(value); }
+Pixel leftPixel(int x, int y) { return {toByte(10 * x), toByte(20 * y), 40}; }
+Pixel rightPixel(int x, int y) { return {toByte(255 - 10 * x), 90, toByte(15 * y)}; }
+Pixel greyPixel(int x, int y) { return {toByte(9 * x + y), toByte(9 * x + y), toByte(9 * x + y)}; }
 
 double linear(double byte) {
   const double c = byte / 255.0;

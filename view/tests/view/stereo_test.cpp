@@ -23,11 +23,11 @@ StereoSettings settingsOf(StereoMode mode) {
 
 /// Horizontal shift from the left eye's picture to the right eye's, mm on the screen.
 double parallaxOf(const Camera& camera, const StereoSettings& settings, const Vec3& place) {
-  const Eyes eyes = eyesOf(camera, settings, kScreenAspect);
+  const Eyes eyes = placeEyes(camera, settings, kScreenAspect);
   const double width_mm = (eyes.screen.lower_right - eyes.screen.lower_left).norm();
   const DepthRange range{1.0, 1e5};
-  return width_mm *
-         (seenAt(frustumOf(eyes, Eye::right, range), place).x() - seenAt(frustumOf(eyes, Eye::left, range), place).x());
+  return width_mm * (seenAt(makeFrustum(eyes, Eye::right, range), place).x() -
+                     seenAt(makeFrustum(eyes, Eye::left, range), place).x());
 }
 
 TEST(Eyes, SeeEachPlaceWithTheParallaxOfItsDistance) {
@@ -47,9 +47,9 @@ TEST(Eyes, SeeEachPlaceWithTheParallaxOfItsDistance) {
 TEST(Eyes, CoincideInMonoAndAtNoEyeDistance) {
   StereoSettings settings = settingsOf(StereoMode::tb_half);
   settings.eye_distance_mm = 0.0;
-  EXPECT_EQ(eyesOf(cameraAt(700.0), settings, kScreenAspect).left,
-            eyesOf(cameraAt(700.0), settings, kScreenAspect).right);
-  const Eyes mono = eyesOf(cameraAt(700.0), settingsOf(StereoMode::mono), kScreenAspect);
+  EXPECT_EQ(placeEyes(cameraAt(700.0), settings, kScreenAspect).left,
+            placeEyes(cameraAt(700.0), settings, kScreenAspect).right);
+  const Eyes mono = placeEyes(cameraAt(700.0), settingsOf(StereoMode::mono), kScreenAspect);
   EXPECT_EQ(mono.left, mono.right);
 }
 
@@ -58,12 +58,12 @@ TEST(Eyes, OfATrackedHeadStandBeforeAScreenOfTrueSize) {
   settings.head = TrackedHead{{120.0, 80.0, 500.0}, 290.0};
   Camera camera;
   camera.centre = {10.0, 20.0, 90.0};
-  const Eyes eyes = eyesOf(camera, settings, kScreenAspect);
+  const Eyes eyes = placeEyes(camera, settings, kScreenAspect);
   EXPECT_NEAR((eyes.screen.upper_left - eyes.screen.lower_left).norm(), 290.0, 1e-9);
   EXPECT_TRUE(eyes.middle.isApprox(camera.centre + Vec3(120.0, 80.0, 500.0)));
   EXPECT_TRUE(eyes.right.isApprox(eyes.middle + Vec3(31.5, 0.0, 0.0)));
   // What lies in the plane of the screen stays there, wherever the head is.
-  const Frustum frustum = frustumOf(eyes, Eye::left, {1.0, 1e4});
+  const Frustum frustum = makeFrustum(eyes, Eye::left, {1.0, 1e4});
   EXPECT_LT((seenAt(frustum, camera.centre) - Vec2(0.5, 0.5)).norm(), 1e-5);
   EXPECT_LT((seenAt(frustum, eyes.screen.upper_left)).norm(), 1e-5);
 }
@@ -71,20 +71,20 @@ TEST(Eyes, OfATrackedHeadStandBeforeAScreenOfTrueSize) {
 TEST(Eyes, OfATrackedHeadMustBeBeforeTheScreen) {
   StereoSettings settings;
   settings.head = TrackedHead{{0.0, 0.0, -10.0}, 290.0};
-  EXPECT_EQ(support::messageOf([&] { eyesOf(Camera{}, settings, kScreenAspect); }),
+  EXPECT_EQ(support::thrownMessage([&] { placeEyes(Camera{}, settings, kScreenAspect); }),
             "the tracked head is not in front of its screen");
 }
 
 TEST(DepthRange, HoldsTheBoxAndNothingTooNear) {
   const Eigen::AlignedBox3d box(Vec3(-200, -300, -100), Vec3(200, 300, 120));
-  const Eyes eyes = eyesOf(cameraAt(1200.0), {}, kScreenAspect);
-  const DepthRange range = depthRangeOf(eyes, box);
+  const Eyes eyes = placeEyes(cameraAt(1200.0), {}, kScreenAspect);
+  const DepthRange range = computeClipRange(eyes, box);
   EXPECT_LT(range.near_mm, 1080.0);
   EXPECT_GT(range.far_mm, 1300.0);
-  EXPECT_DOUBLE_EQ(depthRangeOf(eyesOf(cameraAt(150.0), {}, kScreenAspect), box).near_mm, 6.0);
+  EXPECT_DOUBLE_EQ(computeClipRange(placeEyes(cameraAt(150.0), {}, kScreenAspect), box).near_mm, 6.0);
   StereoSettings two_eyes;
   two_eyes.mode = StereoMode::sbs_half;
-  EXPECT_DOUBLE_EQ(depthRangeOf(eyesOf(cameraAt(150.0), two_eyes, kScreenAspect), box).near_mm, 45.0);
+  EXPECT_DOUBLE_EQ(computeClipRange(placeEyes(cameraAt(150.0), two_eyes, kScreenAspect), box).near_mm, 45.0);
 }
 
 TEST(EyePicture, KeepsTheShapeOfTheWindowWhereItIsSqueezed) {
@@ -99,14 +99,14 @@ TEST(EyePicture, KeepsTheShapeOfTheWindowWhereItIsSqueezed) {
 }
 
 TEST(EyePicture, LiesWhereTheModeSays) {
-  const auto x = [](StereoMode mode, Eye eye) { return cornerOf(eye, settingsOf(mode), 101, 60).x; };
+  const auto x = [](StereoMode mode, Eye eye) { return pictureCorner(eye, settingsOf(mode), 101, 60).x; };
   EXPECT_EQ(x(StereoMode::sbs_half, Eye::left), 0);
   EXPECT_EQ(x(StereoMode::sbs_half, Eye::right), 51);
   EXPECT_EQ(x(StereoMode::sbs_cross, Eye::right), 0);
-  EXPECT_EQ(cornerOf(Eye::left, settingsOf(StereoMode::tb_full), 100, 61).y, 31) << "the left eye is on top";
+  EXPECT_EQ(pictureCorner(Eye::left, settingsOf(StereoMode::tb_full), 100, 61).y, 31) << "the left eye is on top";
   StereoSettings swapped = settingsOf(StereoMode::sbs_full);
   swapped.swap_eyes = true;
-  EXPECT_EQ(cornerOf(Eye::right, swapped, 100, 60).x, 0);
+  EXPECT_EQ(pictureCorner(Eye::right, swapped, 100, 60).x, 0);
 }
 
 TEST(EyePicture, TakesTheMouseFromWhicheverHalfItIsIn) {
@@ -117,14 +117,14 @@ TEST(EyePicture, TakesTheMouseFromWhicheverHalfItIsIn) {
 
 TEST(StereoMode, IsKnownByItsName) {
   EXPECT_EQ(stereoModeNamed("tb-full"), StereoMode::tb_full);
-  EXPECT_EQ(support::messageOf([] { stereoModeNamed("3d"); }).substr(0, 32), "stereo mode '3d': must be one of");
+  EXPECT_EQ(support::thrownMessage([] { stereoModeNamed("3d"); }).substr(0, 32), "stereo mode '3d': must be one of");
 }
 
 TEST(Comfort, IsTheClosedFormAtTheReadingDistance) {
   // At 600 mm one degree is reached 120 mm behind the screen and 86 mm before it.
-  const Eyes eyes = eyesOf(cameraAt(600.0), settingsOf(StereoMode::sbs_full), kScreenAspect);
+  const Eyes eyes = placeEyes(cameraAt(600.0), settingsOf(StereoMode::sbs_full), kScreenAspect);
   const Eigen::AlignedBox3d box(Vec3(-10, -10, -120), Vec3(10, 10, 86));
-  const Comfort comfort = comfortOf(eyes, 63.0, box);
+  const Comfort comfort = computeComfort(eyes, 63.0, box);
   EXPECT_NEAR(comfort.behind_deg, 1.0, 0.01);
   EXPECT_NEAR(comfort.front_deg, 1.0, 0.01);
 }

@@ -17,7 +17,7 @@ constexpr PictureSize kSupportPicture{320, 240, 1};
 
 /// A ball of 200 mm that lies on, or sits on, a plane that touches it.
 std::shared_ptr<const scene::World> ballOn(const std::optional<Vec3>& up) {
-  auto world = std::make_shared<scene::World>(*worldOf(zoo::sphere(100.0, 4, {10.0, 20.0, 30.0})));
+  auto world = std::make_shared<scene::World>(*meshWorld(zoo::sphere(100.0, 4, {10.0, 20.0, 30.0})));
   support::changeBody(*world, [&](scene::Body& body) {
     body.closed = true;
     if (up) body.anatomy.support = body::Support{Vec3(10.0, 20.0, 30.0) - 100.0 * *up, *up};
@@ -147,7 +147,7 @@ TEST(SupportInPictures, IsWholeFromTheSideWhereItsEdgeIsNearest) {
   side.camera.distance_mm = 480.0;
   side.camera.height_rad = 1.4;
   const Vec2 size(kSupportPicture.width, kSupportPicture.height);
-  const Frustum frustum = frustumOf(screenOf(side.camera, size.x() / size.y()), side.camera.eye(), 1.0, 1e4);
+  const Frustum frustum = makeFrustum(cameraScreen(side.camera, size.x() / size.y()), side.camera.eye(), 1.0, 1e4);
   const Vec2 edge = seenAt(frustum, Vec3(335.0, 20.0, -70.3)).cwiseProduct(size);
   const Image with = ballPicture(ballOn(Vec3::UnitZ()), side);
   const Image without = ballPicture(ballOn({}), side);

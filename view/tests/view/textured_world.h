@@ -25,7 +25,7 @@ inline std::string pngBytes(const Image& image) {
 /// `picture`: the bytes of its file.
 inline std::shared_ptr<const scene::World> texturedWorld(const mesh::TriangleMesh& mesh, const support::TextureLaw& law,
                                                          const std::string& picture) {
-  auto world = std::make_shared<scene::World>(*worldOf(mesh));
+  auto world = std::make_shared<scene::World>(*meshWorld(mesh));
   scene::SkinTexture texture;
   texture.source.file = "picture.png";
   texture.source.scene_file = "s.toml";

@@ -46,7 +46,7 @@ class ChangeOfWorld : public testing::Test {
     target_.bind();
     Frame frame;
     frame.fingers = fingers;
-    renderer.draw(frame, look_, frustumOf(screenOf(camera, kTexturedAspect), camera.eye(), 10.0, 2000.0),
+    renderer.draw(frame, look_, makeFrustum(cameraScreen(camera, kTexturedAspect), camera.eye(), 10.0, 2000.0),
                   kTexturedWidth, kTexturedHeight);
     return target_.read();
   }
@@ -59,7 +59,7 @@ class ChangeOfWorld : public testing::Test {
   Target target_{kTexturedWidth, kTexturedHeight};
   Look look_;
   World sheet_ = flatWorld();
-  World ball_ = worldOf(zoo::sphere(30.0, 4));
+  World ball_ = meshWorld(zoo::sphere(30.0, 4));
 };
 
 TEST_F(ChangeOfWorld, ShowsItAsANewRendererWould) {
@@ -141,7 +141,7 @@ TEST_F(ChangeOfWorld, ToABrokenPictureChangesNothing) {
   Renderer renderer(sheet_);
   const Image before = draw(renderer, sheet_);
   const World broken = texturedWorld(zoo::grid(8, 100.0), support::onSheet, "\x89PNG\r\n");
-  EXPECT_NE(support::messageOf([&] { renderer.setWorld(broken); }).find("is a broken picture"), std::string::npos);
+  EXPECT_NE(support::thrownMessage([&] { renderer.setWorld(broken); }).find("is a broken picture"), std::string::npos);
   EXPECT_EQ(draw(renderer, sheet_).pixels, before.pixels);
 }
 

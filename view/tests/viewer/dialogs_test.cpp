@@ -334,7 +334,8 @@ TEST(PlaceField, CentresThePlaceInWhatPanelAndPlotsLeaveFree) {
   camera.distance_mm = 500.0;
   const Vec3 place(30, 40, 0);
   const view::Camera centred = centredInFreePart(camera, place, shown, Vec2(kWidth, kHeight));
-  const view::Frustum eye = view::frustumOf(view::screenOf(centred, kWidth / kHeight), centred.eye(), 10.0, 2000.0);
+  const view::Frustum eye =
+      view::makeFrustum(view::cameraScreen(centred, kWidth / kHeight), centred.eye(), 10.0, 2000.0);
   const Vec2 seen = view::seenAt(eye, place).cwiseProduct(Vec2(kWidth, kHeight));
   const FreeArea free = freeArea(shown, kWidth, kHeight);
   EXPECT_NEAR(seen.x(), 0.5 * (free.left + free.right), 1.0);

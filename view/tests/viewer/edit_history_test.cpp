@@ -11,12 +11,12 @@ TEST(EditHistory, GoesBackAndForthByNamedSteps) {
   EditHistory<int> history;
   history.add(1, "first");
   history.add(2, "second");
-  EXPECT_EQ(history.undoWords(), "second");
+  EXPECT_EQ(history.undoLabel(), "second");
   EXPECT_EQ(history.undo(3), 2);
   EXPECT_EQ(history.undo(2), 1);
   EXPECT_FALSE(history.canUndo());
   EXPECT_EQ(history.undo(1), 1) << "there is nothing before it";
-  EXPECT_EQ(history.redoWords(), "first");
+  EXPECT_EQ(history.redoLabel(), "first");
   EXPECT_EQ(history.redo(1), 2);
   history.add(2, "another way");
   EXPECT_FALSE(history.canRedo());

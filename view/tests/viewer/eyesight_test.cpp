@@ -126,10 +126,10 @@ TEST(SceneLook, AScenesOwnViewShowsTheWholeBodyBesidePanelAndPlots) {
     ViewerState viewer;
     for (const bool panel : {true, false}) {
       viewer.state.shown.panel = panel;
-      ASSERT_TRUE(takeSceneLook(*world, viewer, Vec2(kStageWidth, kStageHeight)));
+      ASSERT_TRUE(applySceneLook(*world, viewer, Vec2(kStageWidth, kStageHeight)));
       const FreeArea free = freeArea(viewer.state.shown, kStageWidth, kStageHeight);
-      const view::Screen screen = view::screenOf(viewer.camera, double{kStageWidth} / kStageHeight);
-      const view::Frustum frustum = view::frustumOf(screen, viewer.camera.eye(), 1.0, 1e5);
+      const view::Screen screen = view::cameraScreen(viewer.camera, double{kStageWidth} / kStageHeight);
+      const view::Frustum frustum = view::makeFrustum(screen, viewer.camera.eye(), 1.0, 1e5);
       for (const Vec3& place : world->body->skin.positions) {
         const Vec2 seen = view::seenAt(frustum, place).cwiseProduct(Vec2(kStageWidth, kStageHeight));
         ASSERT_TRUE(seen.x() >= free.left && seen.x() <= free.right && seen.y() >= free.top && seen.y() <= free.below)

@@ -17,7 +17,7 @@ std::size_t drawnPixels(const view::Image& picture) {
 TEST(FilePreview, ShowsAMeshAndItsSize) {
   const support::TemporaryFolder folder;
   mesh::save(folder / "ball.stl", zoo::sphere(60.0, 3));
-  const FilePreview preview = previewOf(folder / "ball.stl");
+  const FilePreview preview = previewFile(folder / "ball.stl");
   EXPECT_NE(preview.words.find("triangles, 120 x 120 x 120"), std::string::npos) << preview.words;
   ASSERT_TRUE(preview.picture);
   EXPECT_GT(drawnPixels(*preview.picture), preview.picture->pixels.size() / 6);
@@ -28,12 +28,12 @@ TEST(FilePreview, ShowsTheMeshOfASceneAndNamesABuiltInBody) {
   const support::TemporaryFolder folder;
   mesh::save(folder / "ball.ply", zoo::sphere(0.6, 3));
   writeFile(folder / "mesh.toml", "title = \"Lab\"\n[body]\nkind = \"mesh\"\nfile = \"ball.ply\"\nunit = \"m\"\n");
-  const FilePreview preview = previewOf(folder / "mesh.toml");
+  const FilePreview preview = previewFile(folder / "mesh.toml");
   EXPECT_TRUE(preview.picture) << preview.words;
   EXPECT_NE(preview.words.find("1200 x 1200 x 1200 mm"), std::string::npos) << preview.words;
   EXPECT_FALSE(preview.longest_units) << "the scene says its unit";
   writeFile(folder / "built_in.toml", "title = \"Lab\"\n");
-  EXPECT_EQ(previewOf(folder / "built_in.toml").words, "Lab, on a built-in body");
+  EXPECT_EQ(previewFile(folder / "built_in.toml").words, "Lab, on a built-in body");
 }
 
 TEST(FilePreview, SaysWhatOfAMeshIsLeftOut) {
@@ -41,20 +41,20 @@ TEST(FilePreview, SaysWhatOfAMeshIsLeftOut) {
   writeFile(folder / "cut.obj", "v 0 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\nl 1 2\nl 2 3\n");
   writeFile(folder / "cut.toml", "[body]\nkind = \"mesh\"\nfile = \"cut.obj\"\n");
   const std::vector<std::string> told = {"cut.obj: left out: lines (2)"};
-  EXPECT_EQ(previewOf(folder / "cut.obj").notes, told);
-  EXPECT_EQ(previewOf(folder / "cut.toml").notes, told);
+  EXPECT_EQ(previewFile(folder / "cut.obj").notes, told);
+  EXPECT_EQ(previewFile(folder / "cut.toml").notes, told);
 }
 
 TEST(FilePreview, SaysWhatIsWrongWithAFileAndGoesOn) {
   const support::TemporaryFolder folder;
   writeFile(folder / "broken.stl", "solid nothing\nfacet");
-  EXPECT_FALSE(previewOf(folder / "broken.stl").words.empty());
-  EXPECT_FALSE(previewOf(folder / "broken.stl").picture);
-  EXPECT_FALSE(previewOf(folder / "missing.ply").words.empty());
+  EXPECT_FALSE(previewFile(folder / "broken.stl").words.empty());
+  EXPECT_FALSE(previewFile(folder / "broken.stl").picture);
+  EXPECT_FALSE(previewFile(folder / "missing.ply").words.empty());
   writeFile(folder / "far.obj", "v 0 0 0\nv 1e300 0 0\nv 0 1e308 0\nv nan 0 0\nf 1 2 3\nf 1 2 4\n");
-  EXPECT_NO_THROW(previewOf(folder / "far.obj"));
+  EXPECT_NO_THROW(previewFile(folder / "far.obj"));
   mesh::save(folder / "ball.ply", zoo::sphere(60.0, 4));
-  const FilePreview large = previewOf(folder / "ball.ply", {.max_bytes = 1000});
+  const FilePreview large = previewFile(folder / "ball.ply", {.max_bytes = 1000});
   EXPECT_NE(large.words.find("too large for a preview"), std::string::npos) << large.words;
 }
 

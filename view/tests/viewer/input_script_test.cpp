@@ -42,7 +42,7 @@ TEST(InputScript, KnowsEveryKeyOfTheTableByItsName) {
 
 TEST(InputScript, NamesTheLineOfWhatItDoesNotUnderstand) {
   const auto error = [](const std::string& text) {
-    return support::messageOf([&] { parseInputScript(text, "s.csv"); });
+    return support::thrownMessage([&] { parseInputScript(text, "s.csv"); });
   };
   support::expectEach(error, {{"0, wave\n", "s.csv:1: there is no event 'wave'"},
                               {"0, move, 1, 2\n1, down\n", "s.csv:2: 'down' needs a button: left, right or middle"},

@@ -83,7 +83,7 @@ TEST(Manual, EveryLinkBetweenItsPagesLeadsToAPageAndItsHeading) {
       }
       ++links;
       const auto is_it = [&](const Block& block) {
-        return block.kind == Block::Kind::heading && anchorOf(plainText(block.words)) == link.anchor;
+        return block.kind == Block::Kind::heading && headingAnchor(plainText(block.words)) == link.anchor;
       };
       EXPECT_TRUE(link.anchor.empty() || std::ranges::any_of(link.page->blocks, is_it))
           << page.file << " -> " << part.target;
@@ -116,7 +116,7 @@ TEST(Manual, ReadsWhatDocumentsAreWrittenIn) {
   ASSERT_EQ(blocks[6].rows.size(), 2u);
   EXPECT_EQ(plainText(blocks[6].rows[0][1]), "a|b");
   EXPECT_EQ(plainText(blocks[6].rows[1][1]), "(picture: picture)");
-  EXPECT_EQ(anchorOf("In five minutes: `--fps`"), "in-five-minutes---fps");
+  EXPECT_EQ(headingAnchor("In five minutes: `--fps`"), "in-five-minutes---fps");
 }
 
 TEST(Manual, IsSearchedReadAndClosedInTheWindow) {

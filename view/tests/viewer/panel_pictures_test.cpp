@@ -298,7 +298,7 @@ TEST_F(StereoPanelPictures, OfStereo) {
 TEST_F(PanelPictures, OfARecording) {
   Recording recording{true, "forces.csv", 2.0, true, "pictures", 37};
   recording.viewer = true;
-  recording.session_s = 754.3;
+  recording.length_s = 754.3;
   bool keeps_last_hour = true;
   expectPanel("record", 345, [&] { recordPanel(recording, keeps_last_hour, 14.2, output); });
 }

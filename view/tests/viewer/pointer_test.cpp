@@ -22,7 +22,8 @@ class PointerOn : public testing::Test {
   }
   void look() {
     const double aspect = kSize.x() / kSize.y();
-    pointer.look({view::screenOf(viewer.camera, aspect), viewer.camera.eye(), kSize, view::StereoMode::mono}, world);
+    pointer.look({view::cameraScreen(viewer.camera, aspect), viewer.camera.eye(), kSize, view::StereoMode::mono},
+                 world);
   }
   void send(Kind kind, const Vec2& at, double amount = 0.0, const Vec2& by = Vec2::Zero()) {
     window::Command command;
@@ -192,7 +193,8 @@ TEST_F(PointerOn, TheOtherFingerKeepsItsDepth) {
 TEST_F(PointerOn, InAHalfOfAStereoPictureTheCursorIsFoldedBack) {
   const double aspect = kSize.x() / kSize.y();
   const Vec3 middle = pointer.skinAt(0.5 * kSize)->point;
-  pointer.look({view::screenOf(viewer.camera, aspect), viewer.camera.eye(), kSize, view::StereoMode::sbs_half}, world);
+  pointer.look({view::cameraScreen(viewer.camera, aspect), viewer.camera.eye(), kSize, view::StereoMode::sbs_half},
+               world);
   EXPECT_LT((pointer.skinAt(Vec2(250, 400))->point - middle).norm(), 1e-6);
   EXPECT_LT((pointer.skinAt(Vec2(750, 400))->point - middle).norm(), 1e-6);
 }

@@ -37,7 +37,7 @@ class SessionStage : public Stage {
     ASSERT_TRUE(until([&] { return finger().touch == contact::Touch::free; }));
   }
   /// The file of what has been recorded so far.
-  std::string keep() {
+  std::string saveRecording() {
     state().recording.kept_file.clear();
     key(window::key('R'), {false, true});
     EXPECT_TRUE(until([&] { return !state().recording.kept_file.empty(); })) << lastMessage();
@@ -55,7 +55,7 @@ TEST(Sessions, WhatWasTouchedIsKeptByOneKeyProvenAndShownAgain) {
   stage.key(window::key('M'), {false, true});
   stage.press(stage.middle());
   stage.key(window::key('M'), {false, true});
-  const std::string file = stage.keep();
+  const std::string file = stage.saveRecording();
   EXPECT_TRUE(fs::path(file).filename().string().starts_with("session-"));
   {
     trace::RecordingReader viewer(file);
@@ -85,7 +85,7 @@ TEST(Sessions, WhatWasTouchedIsKeptByOneKeyProvenAndShownAgain) {
 TEST(Sessions, ARunWithoutATouchLeavesNothingAndOneWithLeavesAFinishedFile) {
   {
     SessionStage stage;
-    ASSERT_TRUE(stage.until([&] { return stage.state().recording.session_s > 0.4; }));
+    ASSERT_TRUE(stage.until([&] { return stage.state().recording.length_s > 0.4; }));
     stage.viewer->finish();
     EXPECT_TRUE(sessionsIn(stage.sessions()).empty());
   }
@@ -101,7 +101,7 @@ TEST(Sessions, ARunWithoutATouchLeavesNothingAndOneWithLeavesAFinishedFile) {
 TEST(Sessions, AWindowThatDiesLeavesWhatWasFelt) {
   SessionStage stage;
   stage.press(stage.middle());
-  ASSERT_TRUE(stage.until([&] { return stage.state().recording.session_s > 0.5; }));
+  ASSERT_TRUE(stage.until([&] { return stage.state().recording.length_s > 0.5; }));
   stage.viewer.reset();  // as when drawing threw: nobody finishes anything
   const auto files = sessionsIn(stage.sessions());
   ASSERT_EQ(files.size(), 1u);
@@ -149,7 +149,7 @@ TEST(Sessions, TheSwitchEndsAndBeginsTheRecording) {
   stage.key(window::key('R'), {false, true});
   EXPECT_NE(stage.lastMessage().find("Nothing is recorded"), std::string::npos);
   stage.state().state.keeps_last_hour = true;
-  EXPECT_TRUE(stage.until([&] { return stage.state().recording.session_s > 0.2; }));
+  EXPECT_TRUE(stage.until([&] { return stage.state().recording.length_s > 0.2; }));
 }
 
 TEST(Sessions, AFolderThatCannotBeWrittenIsToldOnceAndTheTouchGoesOn) {
@@ -169,9 +169,9 @@ TEST(Sessions, AFolderThatCannotBeWrittenIsToldOnceAndTheTouchGoesOn) {
 TEST(Sessions, TwoStandBesideEachOther) {
   SessionStage stage;
   stage.press(stage.middle());
-  const std::string first = stage.keep();
+  const std::string first = stage.saveRecording();
   stage.press(stage.middle() + Vec2(120, 90));
-  const std::string second = stage.keep();
+  const std::string second = stage.saveRecording();
   ASSERT_TRUE(stage.shows(first));
   stage.frame();
   const view::Image alone = stage.picture();
@@ -201,7 +201,7 @@ TEST(Sessions, TwoStandBesideEachOther) {
 TEST(Sessions, AnotherBodyIsShownOnlyWhileItsSessionIs) {
   SessionStage stage;
   stage.press(stage.middle());
-  const std::string file = stage.keep();
+  const std::string file = stage.saveRecording();
   const std::size_t triangles = stage.viewer->world().body->skin.triangles.size();
   const fs::path other = stage.folder / "other.ply";
   mesh::save(other, zoo::wavyGrid(20, 200.0, 3.0));

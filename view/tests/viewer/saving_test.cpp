@@ -58,13 +58,13 @@ TEST(Saving, KeepsTheCommentsOfAPersonsFile) {
 TEST(Saving, AnEndThatCannotAskKeepsTheChangesBesideTheScene) {
   Stage stage;
   const fs::path file = openByHand(stage);
-  EXPECT_EQ(stage.viewer->keepChanges(), fs::path()) << "nothing was changed";
+  EXPECT_EQ(stage.viewer->saveBackup(), fs::path()) << "nothing was changed";
   changeGrip(stage, 0.75);
-  const fs::path kept = stage.viewer->keepChanges();
+  const fs::path kept = stage.viewer->saveBackup();
   EXPECT_EQ(kept, stage.folder / "hand-backup.toml");
   EXPECT_EQ(scene::load(kept).contact.finger.mu_static, 0.75);
   EXPECT_EQ(textOf(file), kByHand) << "as it was";
-  EXPECT_EQ(stage.viewer->keepChanges(), stage.folder / "hand-backup-2.toml") << "no backup is overwritten";
+  EXPECT_EQ(stage.viewer->saveBackup(), stage.folder / "hand-backup-2.toml") << "no backup is overwritten";
 }
 
 TEST(Saving, WhereCommentsCannotStayTheOldFileIsKept) {

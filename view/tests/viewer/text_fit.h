@@ -24,7 +24,7 @@ struct DrawnLetter {
 };
 
 /// The letter whose rectangle of the font's picture holds that of the quad; null for lines and pictures.
-inline const ImFontGlyph* letterOf(const ImDrawVert& low, const ImDrawVert& high) {
+inline const ImFontGlyph* findGlyph(const ImDrawVert& low, const ImDrawVert& high) {
   constexpr float kSame = 1e-5f;  // of the font's picture: far less than a pixel
   for (const ImFont* font : ImGui::GetIO().Fonts->Fonts) {
     for (const ImFontGlyph& glyph : font->Glyphs) {
@@ -59,7 +59,7 @@ inline std::vector<DrawnLetter> lettersOf(const ImDrawList& list) {
       if (!is_quad) continue;
       const ImDrawVert& low = list.VtxBuffer[static_cast<int>(command.VtxOffset + at[0])];
       const ImDrawVert& high = list.VtxBuffer[static_cast<int>(command.VtxOffset + at[2])];
-      if (const ImFontGlyph* glyph = letterOf(low, high)) {
+      if (const ImFontGlyph* glyph = findGlyph(low, high)) {
         letters.push_back({static_cast<ImWchar>(glyph->Codepoint), low.pos, high.pos,
                            cutBySide(low, high, *glyph, command.ClipRect)});
       }
@@ -75,7 +75,7 @@ struct DrawnText {
   bool cut = false;
 };
 
-inline std::vector<DrawnText> textsOf(const ImDrawList& list) {
+inline std::vector<DrawnText> collectDrawnTexts(const ImDrawList& list) {
   std::vector<DrawnText> texts;
   for (const DrawnLetter& letter : lettersOf(list)) {
     const float height = ImGui::GetFontSize();
@@ -124,7 +124,7 @@ inline TextsSeen textsSeen() {
   for (int i = 0; i < drawn->CmdListsCount; ++i) {
     const ImDrawList& list = *drawn->CmdLists[i];
     const std::string window = list._OwnerName == nullptr ? "picture" : list._OwnerName;
-    const std::vector<DrawnText> texts = textsOf(list);
+    const std::vector<DrawnText> texts = collectDrawnTexts(list);
     seen.texts += texts.size();
     if (hidesItsEnd(window)) seen.faults.insert(window + ": is too low for what is in it");
     for (std::size_t k = 0; k < texts.size(); ++k) {

@@ -255,13 +255,13 @@ TEST(Viewer, ARecordingHasARedDotATimeAndAMessage) {
   stage.frame();
   EXPECT_FALSE(widgetPlaces().contains("menu/recording"));
   Recording recording;
-  EXPECT_EQ(recordingWords(recording, 70.0), "");
+  EXPECT_EQ(recordingStatus(recording, 70.0), "");
   recording.forces = true;
   recording.since_s = 5.0;
-  EXPECT_EQ(recordingWords(recording, 70.9), "recording 1:05");
+  EXPECT_EQ(recordingStatus(recording, 70.9), "recording 1:05");
   recording.sequence = true;
   recording.pictures = 12;
-  EXPECT_EQ(recordingWords(recording, 70.9), "recording 1:05, 12 pictures");
+  EXPECT_EQ(recordingStatus(recording, 70.9), "recording 1:05, 12 pictures");
 }
 
 TEST(Viewer, WordsStayWholeInASmallWindow) {

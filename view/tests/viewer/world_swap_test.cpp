@@ -31,7 +31,7 @@ TEST(SceneFromFile, PutsTheFingersOfTheSceneBeforeOnAMesh) {
 }
 
 TEST(SceneFromFile, NamesAFileThatCannotBeRead) {
-  const std::string message = support::messageOf([] { sceneFromFile("/no/such/thing.toml", {}); });
+  const std::string message = support::thrownMessage([] { sceneFromFile("/no/such/thing.toml", {}); });
   EXPECT_NE(message.find("/no/such/thing.toml"), std::string::npos) << message;
 }
 
@@ -57,7 +57,7 @@ struct AtWork {
     const auto until = Clock::now() + std::chrono::seconds(20);
     while (Clock::now() < until) {
       advance(viewer.now_s + 1.0);
-      if (auto now = world_swap.takeShown(servo.thread()).world) return now;
+      if (auto now = world_swap.popShown(servo.thread()).world) return now;
       std::this_thread::yield();
     }
     return nullptr;
@@ -69,7 +69,7 @@ struct AtWork {
   ViewerState viewer;
 };
 
-double heightOf(const scene::World& world) { return mesh::boundingBox(world.body->skin).sizes().z(); }
+double skinHeight(const scene::World& world) { return mesh::boundingBox(world.body->skin).sizes().z(); }
 
 // The body was still being built when the slider was moved; the build that took its place kept the old body.
 TEST(WorldSwap, MakesTheBodyToldBeforeTheLastSlider) {
@@ -83,11 +83,11 @@ TEST(WorldSwap, MakesTheBodyToldBeforeTheLastSlider) {
   work.advance(2.0);  // and replaced by a build of the same body with another stiffness
   const auto shown = work.shown();
   ASSERT_TRUE(shown);
-  EXPECT_NEAR(heightOf(*shown), 120.0, 2.0);
+  EXPECT_NEAR(skinHeight(*shown), 120.0, 2.0);
   const auto last = (*shown->surface.stiffness_n_per_mm)[0] == 2.0 ? shown : work.shown();
   ASSERT_TRUE(last);
   EXPECT_EQ((*last->surface.stiffness_n_per_mm)[0], 2.0);
-  EXPECT_NEAR(heightOf(*last), 120.0, 2.0);
+  EXPECT_NEAR(skinHeight(*last), 120.0, 2.0);
 }
 
 TEST(WorldSwap, FeelsAnotherSceneAtTheRateTheWindowBeganWithAndSaysSo) {

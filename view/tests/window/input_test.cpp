@@ -244,7 +244,7 @@ struct Believed {
   std::array<bool, window::kMouseFingers> pressed{};
   std::size_t active = 0;
 
-  void take(const window::Command& command) {
+  void apply(const window::Command& command) {
     if (command.kind == Kind::press || command.kind == Kind::hold) pressed[active] = true;
     if (command.kind == Kind::lift) pressed[active] = false;
     if (command.kind == Kind::lift_all) pressed.fill(false);
@@ -266,7 +266,7 @@ TEST(InputProperty, CommandsTellTheWholeStateAndFocusLossLiftsEverything) {
       event.time_s = now += random.uniform(0, 0.2);
       commands.clear();
       input.handle(event, randomSituation(random), commands);
-      for (const window::Command& command : commands) believed.take(command);
+      for (const window::Command& command : commands) believed.apply(command);
       for (std::size_t f = 0; f < window::kMouseFingers; ++f) ASSERT_EQ(believed.pressed[f], input.pressed(f)) << seed;
       ASSERT_EQ(believed.active, input.activeFinger());
       if (event.kind == window::InputEvent::Kind::focus && !event.down) {

@@ -40,40 +40,40 @@ TEST(Keys, EachActionHasOneRowWithAKeyAndWords) {
     EXPECT_TRUE(seen.insert(row.action).second) << row.name;
     EXPECT_FALSE(window::keysOf(row).empty()) << row.name;
     EXPECT_TRUE(row.does.ends_with('.')) << row.does;
-    EXPECT_EQ(&window::bindingOf(row.action), &row);
+    EXPECT_EQ(&window::findBinding(row.action), &row);
   }
   EXPECT_EQ(seen.size(), window::kActions);
 }
 
 TEST(Keys, ShiftMakesStepsFinerAndOtherKeysDoNothing) {
-  const auto deeper = window::actionOf({window::Key::page_down, {}});
+  const auto deeper = window::findAction({window::Key::page_down, {}});
   ASSERT_TRUE(deeper);
   EXPECT_EQ(deeper->action, window::Action::deeper);
   EXPECT_FALSE(deeper->fine);
-  const auto finer = window::actionOf({window::Key::page_down, {false, true}});
+  const auto finer = window::findAction({window::Key::page_down, {false, true}});
   ASSERT_TRUE(finer);
   EXPECT_TRUE(finer->fine);
-  EXPECT_FALSE(window::actionOf({window::key('W'), {false, true}}));
-  EXPECT_FALSE(window::actionOf({window::key('W'), {true, false}}));
-  EXPECT_FALSE(window::actionOf({window::Key::none, {}}));
+  EXPECT_FALSE(window::findAction({window::key('W'), {false, true}}));
+  EXPECT_FALSE(window::findAction({window::key('W'), {true, false}}));
+  EXPECT_FALSE(window::findAction({window::Key::none, {}}));
 }
 
 TEST(Keys, OverlaysAndColouringsFollowTheirLists) {
   for (std::size_t i = 0; i < view::kOverlays; ++i) {
     const auto overlay = static_cast<view::Overlay>(i);
-    EXPECT_EQ(window::overlayOf(window::actionFor(overlay)), overlay);
+    EXPECT_EQ(window::overlayFor(window::actionFor(overlay)), overlay);
   }
-  EXPECT_EQ(window::colouringOf(window::Action::colour_strain), view::Colouring::strain);
-  EXPECT_EQ(window::colouringOf(window::Action::colour_ellipses), view::Colouring::ellipses);
-  EXPECT_FALSE(window::overlayOf(window::Action::skin_opacity));
-  EXPECT_FALSE(window::colouringOf(window::Action::freeze));
+  EXPECT_EQ(window::colouringFor(window::Action::colour_strain), view::Colouring::strain);
+  EXPECT_EQ(window::colouringFor(window::Action::colour_ellipses), view::Colouring::ellipses);
+  EXPECT_FALSE(window::overlayFor(window::Action::skin_opacity));
+  EXPECT_FALSE(window::colouringFor(window::Action::freeze));
 }
 
 TEST(Keys, AreNamedAsOnAKeyboard) {
   EXPECT_EQ(window::nameOf({window::key('Z'), {true, true}}), "Ctrl+Shift+Z");
-  EXPECT_EQ(window::shownNameOf({window::key('Z'), {true, true}}), "Ctrl+Shift+Z");
+  EXPECT_EQ(window::localisedChordName({window::key('Z'), {true, true}}), "Ctrl+Shift+Z");
   EXPECT_EQ(window::nameOf({window::functionKey(11), {}}), "F11");
-  EXPECT_EQ(window::keysOf(window::bindingOf(window::Action::deeper)), "PgDn or ]");
+  EXPECT_EQ(window::keysOf(window::findBinding(window::Action::deeper)), "PgDn or ]");
 }
 
 TEST(Keys, AreDocumentedAsTheyAre) {

@@ -41,10 +41,12 @@ std::size_t firstToOffer(const std::vector<BackEndFound>& back_ends) {
   return 0;
 }
 
-bool isOf(const std::string& words, std::string_view back_end) { return words.substr(0, words.find(':')) == back_end; }
+bool usesBackEnd(const std::string& words, std::string_view back_end) {
+  return words.substr(0, words.find(':')) == back_end;
+}
 
 /// A tick without a position must not remove a control under the mouse during a click.
-void keepPlace(FingerHeld& held, double now_s) {
+void updateKnownPlace(FingerHeld& held, double now_s) {
   constexpr double kKnownS = 0.5;
   const Vec3& place = held.reading.place;
   if (!place.allFinite() && now_s - held.known_s < kKnownS) return;
@@ -59,7 +61,7 @@ DeviceControl::~DeviceControl() { give_up_ = true; }
 /// The scene may be another person's: access beyond this program needs consent, and a plugin of the file's own is
 /// refused.
 void DeviceControl::begin(ViewerState& viewer) {
-  tellWho(viewer);
+  publishHeldDevices(viewer);
   std::string names;
   for (const scene::DeviceSettings& device : viewer.scene.devices) {
     const auto finger = static_cast<std::size_t>(device.finger);
@@ -98,13 +100,13 @@ bool DeviceControl::handle(const window::InputEvent& event, bool text_wanted, Vi
   using Kind = window::InputEvent::Kind;
   if (event.kind == Kind::focus && !event.down) clutch_key_ = false;
   if (event.kind != Kind::key) return false;
-  const bool pause = event.key == window::bindingOf(window::Action::emergency_stop).chord.key;
+  const bool pause = event.key == window::findBinding(window::Action::emergency_stop).chord.key;
   const bool space = event.key == window::Key::space && servo_.anyHeld() && !text_wanted;
   if (pause || space) {
     if (event.down) stop(viewer);
     return true;
   }
-  if (window::Chord{event.key, event.modifiers} != window::bindingOf(window::Action::clutch).chord) return false;
+  if (window::Chord{event.key, event.modifiers} != window::findBinding(window::Action::clutch).chord) return false;
   if (text_wanted || !servo_.anyHeld()) return false;
   clutch_key_ = event.down;
   return true;
@@ -125,7 +127,7 @@ void DeviceControl::open(std::size_t finger, const std::string& words, ViewerSta
   if (opening_[finger].start([words, options] { return device::openNamed(words, options); })) held.opening = words;
 }
 
-void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const scene::World& world) {
+void DeviceControl::adoptOpened(std::size_t finger, ViewerState& viewer, const scene::World& world) {
   auto opened = opening_[finger].take();
   if (!opened) return;
   const std::string words = std::exchange(viewer.devices.fingers[finger].opening, {});
@@ -138,7 +140,7 @@ void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const sc
   try {
     servo::requireStable(device::profileOf(viewer.scene.safety.device, held.device.capabilities), viewer.scene.safety,
                          1.0 / viewer.ticks_per_s);
-    servo_.hold(finger, std::move(held), world_swap_.planNow(viewer));
+    servo_.hold(finger, std::move(held), world_swap_.makePlan(viewer));
   } catch (const Error& error) {
     viewer.held = before;
     return viewer.report(Severity::error, error.what());
@@ -146,7 +148,7 @@ void DeviceControl::takeOpened(std::size_t finger, ViewerState& viewer, const sc
   looks_[finger] = {.since_s = viewer.now_s};
   viewer.devices.fingers[finger].interventions = {};
   viewer.devices.fingers[finger].known_s = -1.0;  // belonged to the earlier device, if any
-  tellWho(viewer);
+  publishHeldDevices(viewer);
   if (viewer.active_finger == finger && !servo_.isHeld(1 - finger)) viewer.active_finger = 1 - finger;
   viewer.report(Severity::info,
                 trf("The {} finger is held by {}", tr(std::string(kFingerNames[finger]).c_str()), about));
@@ -156,10 +158,10 @@ void DeviceControl::close(std::size_t finger, ViewerState& viewer) {
   if (!servo_.isHeld(finger)) return;
   const std::string name = servo_.opened(finger).words;
   viewer.held = servo_.abilitiesWith(finger, nullptr);
-  servo_.letGo(finger, world_swap_.planNow(viewer));
+  servo_.release(finger, world_swap_.makePlan(viewer));
   viewer.devices.fingers[finger].trouble.clear();
   if (viewer.devices.calibration.finger == finger) viewer.devices.calibration = {};
-  tellWho(viewer);
+  publishHeldDevices(viewer);
   viewer.report(Severity::info,
                 trf("{} is let go; the mouse has the {} finger", name, tr(std::string(kFingerNames[finger]).c_str())));
 }
@@ -175,7 +177,8 @@ void DeviceControl::lookForBackEnds(ViewerState& viewer) {
     std::vector<BackEndFound> all;
     for (const device::BackEnd& back_end : device::backEnds()) {
       if (!isForWindows(back_end)) continue;
-      const bool ours = std::any_of(held.begin(), held.end(), [&](const auto& h) { return isOf(h, back_end.name); });
+      const bool ours =
+          std::any_of(held.begin(), held.end(), [&](const auto& h) { return usesBackEnd(h, back_end.name); });
       if (ours) {
         all.push_back({.name = std::string(back_end.name),
                        .about = std::string(back_end.about),
@@ -211,7 +214,7 @@ void DeviceControl::placeDevices(ViewerState& viewer, const scene::World& world)
   }
 }
 
-void DeviceControl::tellWho(ViewerState& viewer) const {
+void DeviceControl::publishHeldDevices(ViewerState& viewer) const {
   std::string who;
   for (std::size_t i = 0; i < kFingers; ++i) {
     FingerHeld& finger = viewer.devices.fingers[i];
@@ -224,7 +227,7 @@ void DeviceControl::tellWho(ViewerState& viewer) const {
   viewer.held_by = who.empty() ? "mouse" : who;
 }
 
-void DeviceControl::tellTrouble(std::size_t finger, std::string trouble, ViewerState& viewer) {
+void DeviceControl::reportTrouble(std::size_t finger, std::string trouble, ViewerState& viewer) {
   if (!servo_.isHeld(finger)) return;
   const std::string was = std::exchange(viewer.devices.fingers[finger].trouble, std::move(trouble));
   const std::string& is = viewer.devices.fingers[finger].trouble;
@@ -235,7 +238,7 @@ void DeviceControl::tellTrouble(std::size_t finger, std::string trouble, ViewerS
 /// Once a second, on its own thread: the search for a lost device may take its driver a moment.
 void DeviceControl::tend(ViewerState& viewer) {
   if (const auto troubles = tending_.take(); troubles && troubles->value) {
-    for (std::size_t i = 0; i < kFingers; ++i) tellTrouble(i, (*troubles->value)[i], viewer);
+    for (std::size_t i = 0; i < kFingers; ++i) reportTrouble(i, (*troubles->value)[i], viewer);
   }
   if (viewer.now_s < tended_s_ + kTendedEveryS || !servo_.anyHeld()) return;
   std::array<device::Device, kFingers> devices;
@@ -265,7 +268,7 @@ void DeviceControl::readState(std::size_t finger, ViewerState& viewer) {
   FingerHeld& held = viewer.devices.fingers[finger];
   held.workspace = servo_.opened(finger).workspace;
   held.reading = servo_.reading(finger);
-  keepPlace(held, viewer.now_s);
+  updateKnownPlace(held, viewer.now_s);
   Look& look = looks_[finger];
   const double seconds = viewer.now_s - look.since_s;
   if (seconds < kLookS) return;
@@ -285,7 +288,7 @@ void DeviceControl::advance(ViewerState& viewer, const scene::World& world) {
     }
   }
   for (std::size_t i = 0; i < kFingers; ++i) {
-    takeOpened(i, viewer, world);
+    adoptOpened(i, viewer, world);
     const bool calibrated = shown.calibration.finger == i;
     servo_.clutch(i, clutch_key_ || shown.fingers[i].clutch || calibrated);
     if (servo_.isHeld(i)) readState(i, viewer);
@@ -300,7 +303,7 @@ void DeviceControl::advance(ViewerState& viewer, const scene::World& world) {
     closing_.take();
     return;
   }
-  if (auto leaving = servo_.takeLeaving(); !leaving.empty()) {
+  if (auto leaving = servo_.collectReleased(); !leaving.empty()) {
     closing_.start([devices = std::make_shared<std::vector<device::Device>>(std::move(leaving))] {
       devices->clear();
       return 0;

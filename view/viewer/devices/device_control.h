@@ -52,13 +52,13 @@ class DeviceControl {
     double most_loss_n_mm = 0.0;
   };
 
-  void takeOpened(std::size_t finger, ViewerState& viewer, const scene::World& world);
+  void adoptOpened(std::size_t finger, ViewerState& viewer, const scene::World& world);
   void placeDevices(ViewerState& viewer, const scene::World& world);
   device::Workspace workspaceNow(std::size_t finger, const std::string& words, const ViewerState& viewer,
                                  const scene::World& world);
-  void tellWho(ViewerState& viewer) const;
+  void publishHeldDevices(ViewerState& viewer) const;
   void tend(ViewerState& viewer);
-  void tellTrouble(std::size_t finger, std::string trouble, ViewerState& viewer);
+  void reportTrouble(std::size_t finger, std::string trouble, ViewerState& viewer);
   void readState(std::size_t finger, ViewerState& viewer);
 
   LiveServo& servo_;

@@ -20,7 +20,7 @@ using window::Action;
 
 /// The switch of an action, in a state that may be constant; null for other actions.
 template <class S>
-auto* switchOf(Action action, S& viewer) {
+auto* findSwitch(Action action, S& viewer) {
   auto& shown = viewer.state.shown;
   switch (action) {
     case Action::help:
@@ -47,7 +47,7 @@ auto* switchOf(Action action, S& viewer) {
 }
 
 /// The request for those who own the window, the files and the servo, if an action is one.
-std::optional<Request> requestOf(Action action) {
+std::optional<Request> requestFor(Action action) {
   switch (action) {
     case Action::emergency_stop:
       return StopDevices{};
@@ -155,18 +155,18 @@ double nextOpacity(double opacity) {
 
 void perform(Action action, ViewerState& viewer) {
   view::Look& look = viewer.state.look;
-  if (const auto overlay = window::overlayOf(action)) return look.show(*overlay, !look.shows(*overlay));
-  if (const auto colouring = window::colouringOf(action)) {
+  if (const auto overlay = window::overlayFor(action)) return look.show(*overlay, !look.shows(*overlay));
+  if (const auto colouring = window::colouringFor(action)) {
     look.colouring = look.colouring == *colouring ? view::Colouring::plain : *colouring;
     return;
   }
   if (action == Action::measure) return startMeasuring(viewer);
   if (action == Action::freeze) return freeze(viewer.replay, !viewer.replay.frozen);
-  if (bool* on = switchOf(action, viewer)) {
+  if (bool* on = findSwitch(action, viewer)) {
     *on = !*on;
     return;
   }
-  if (auto request = requestOf(action)) return viewer.request(*std::move(request));
+  if (auto request = requestFor(action)) return viewer.request(*std::move(request));
   switch (action) {
     case Action::skin_opacity:
       look.skin_opacity = nextOpacity(look.skin_opacity);
@@ -199,10 +199,10 @@ void perform(Action action, ViewerState& viewer) {
 
 bool isOn(Action action, const ViewerState& viewer) {
   const view::Look& look = viewer.state.look;
-  if (const auto overlay = window::overlayOf(action)) return look.shows(*overlay);
-  if (const auto colouring = window::colouringOf(action)) return look.colouring == *colouring;
+  if (const auto overlay = window::overlayFor(action)) return look.shows(*overlay);
+  if (const auto colouring = window::colouringFor(action)) return look.colouring == *colouring;
   if (action == Action::record) return viewer.recording.forces;
-  const bool* on = switchOf(action, viewer);
+  const bool* on = findSwitch(action, viewer);
   return on != nullptr && *on;
 }
 

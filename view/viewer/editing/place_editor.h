@@ -34,7 +34,7 @@ template <class Item>
 struct EditRules;
 
 template <class Item>
-Item* selectedOf(const PlaceEdit<Item>& edit) {
+Item* selectedItem(const PlaceEdit<Item>& edit) {
   const int i = edit.editor.selected;
   return i >= 0 && i < static_cast<int>(edit.items.size()) ? &edit.items[static_cast<std::size_t>(i)] : nullptr;
 }
@@ -90,8 +90,8 @@ void placeAt(const PlaceEdit<Item>& edit, const body::NamedPlace& place) {
 
 /// Names its place where the body has names, to the whole millimetre.
 template <class Item>
-void putIntoWords(Item& item, std::span<const body::SkinLandmark> landmarks) {
-  item.at = body::placeWords(landmarks, Vec2(item.x_mm, item.y_mm));
+void namePlace(Item& item, std::span<const body::SkinLandmark> landmarks) {
+  item.at = body::makePlaceName(landmarks, Vec2(item.x_mm, item.y_mm));
   if (item.at.empty()) return;
   const Vec3 point = body::placeNamed(landmarks, item.at).point;
   item.x_mm = point.x();
@@ -100,7 +100,7 @@ void putIntoWords(Item& item, std::span<const body::SkinLandmark> landmarks) {
 
 template <class Item>
 void deleteSelected(const PlaceEdit<Item>& edit) {
-  if (selectedOf(edit) == nullptr) return;
+  if (selectedItem(edit) == nullptr) return;
   edit.output.step = trf("delete {}", nameOfSelected(edit));
   edit.items.erase(edit.items.begin() + edit.editor.selected);
   edit.editor.selected = -1;
@@ -118,7 +118,7 @@ void grabAt(const PlaceEdit<Item>& edit, const Vec2& place) {
 
 template <class Item>
 void moveSelected(const PlaceEdit<Item>& edit, const Vec2& place) {
-  Item* item = selectedOf(edit);
+  Item* item = selectedItem(edit);
   if (item == nullptr) return;
   item->x_mm = place.x();
   item->y_mm = place.y();
@@ -129,7 +129,7 @@ void moveSelected(const PlaceEdit<Item>& edit, const Vec2& place) {
 /// One turn of the wheel is one gesture.
 template <class Item>
 void changeSelected(const PlaceEdit<Item>& edit, const char* verb, void (*change)(Item&, double), double notches) {
-  Item* item = selectedOf(edit);
+  Item* item = selectedItem(edit);
   if (item == nullptr) return;
   change(*item, notches);
   edit.output.changed |= kMapChange;
@@ -149,7 +149,7 @@ bool applyEdit(const window::Command& command, const std::optional<Vec2>& place,
       if (place) moveSelected(edit, *place);
       return true;
     case Kind::edit_drop:
-      if (Item* item = selectedOf(edit)) putIntoWords(*item, edit.landmarks);
+      if (Item* item = selectedItem(edit)) namePlace(*item, edit.landmarks);
       edit.editor.before.reset();
       edit.output.step = trf("place {}", nameOfSelected(edit));
       return true;

@@ -63,8 +63,8 @@ double ringMm(const scene::LumpSettings& item) { return item.halfAxes().x(); }
 
 /// All items of an editor, and the one that a click would place.
 template <class Item>
-std::vector<view::Lines> ringsOf(const PlaceEdit<Item>& edit, const std::optional<SkinPlace>& under,
-                                 const scene::World& world, view::Paint paint) {
+std::vector<view::Lines> makeItemRings(const PlaceEdit<Item>& edit, const std::optional<SkinPlace>& under,
+                                       const scene::World& world, view::Paint paint) {
   constexpr double kGhostShare = 0.6;  // share of the paint's opacity
   std::vector<view::Lines> rings;
   for (std::size_t i = 0; i < edit.items.size(); ++i) {
@@ -97,11 +97,11 @@ std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& p
 }
 
 std::vector<view::Lines> dysfunctionRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world) {
-  return ringsOf(viewer.dysfunctions(), pointer.placeOf(viewer.active_finger), world, kDysfunctionPaint);
+  return makeItemRings(viewer.dysfunctions(), pointer.placeOf(viewer.active_finger), world, kDysfunctionPaint);
 }
 
 std::vector<view::Lines> lumpRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world) {
-  return ringsOf(viewer.lumps(), pointer.placeOf(viewer.active_finger), world, kLumpRingPaint);
+  return makeItemRings(viewer.lumps(), pointer.placeOf(viewer.active_finger), world, kLumpRingPaint);
 }
 
 }  // namespace palpate::viewer

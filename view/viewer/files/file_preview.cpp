@@ -65,7 +65,7 @@ class Sheet {
       }
     }
   }
-  view::Image take() { return std::move(image_); }
+  view::Image releaseImage() { return std::move(image_); }
 
  private:
   static constexpr double kNothing = -std::numeric_limits<double>::infinity();
@@ -142,7 +142,7 @@ view::Image smallPicture(const mesh::TriangleMesh& mesh, const PreviewLimits& li
   Sheet sheet(limits.width, limits.height);
   const Eigen::AlignedBox3d box = finiteBox(mesh);
   const double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
-  if (!(length > 0.0) || !std::isfinite(length)) return sheet.take();
+  if (!(length > 0.0) || !std::isfinite(length)) return sheet.releaseImage();
   const Mat3 axes = eyeAxes();
   const double scale = (1.0 - 2.0 * kMarginShare) * std::min(limits.width, limits.height) / length;
   const auto seen = [&](const Vec3& place) -> Vec3 {
@@ -159,10 +159,10 @@ view::Image smallPicture(const mesh::TriangleMesh& mesh, const PreviewLimits& li
     normal = Vec3(normal.x(), -normal.y(), normal.z()).normalized();  // rows count downwards
     sheet.draw(corners, 0.25 + 0.75 * std::abs(normal.dot(to_light)));
   }
-  return sheet.take();
+  return sheet.releaseImage();
 }
 
-FilePreview previewOf(const fs::path& file, const PreviewLimits& limits) {
+FilePreview previewFile(const fs::path& file, const PreviewLimits& limits) {
   try {
     std::error_code error;
     if (fs::file_size(file, error) > limits.max_bytes && !error) {

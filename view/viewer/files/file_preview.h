@@ -30,7 +30,7 @@ struct FilePreview {
 };
 
 /// Never throws: `words` describes a fault of the file.
-FilePreview previewOf(const std::filesystem::path& file, const PreviewLimits& limits = {});
+FilePreview previewFile(const std::filesystem::path& file, const PreviewLimits& limits = {});
 
 /// Matte, seen from behind and a little from the right and above. Stops at the time limit.
 view::Image smallPicture(const mesh::TriangleMesh& mesh, const PreviewLimits& limits = {});

@@ -70,7 +70,7 @@ void FilmRecorder::wait() {
   if (thread_.joinable()) thread_.join();
 }
 
-std::optional<FilmRecorder::Ending> FilmRecorder::takeEnding() {
+std::optional<FilmRecorder::Ending> FilmRecorder::popEnding() {
   const std::lock_guard lock(mutex_);
   if (!ending_) return std::nullopt;
   filming_ = false;

@@ -41,7 +41,7 @@ class FilmRecorder {
     std::string trouble;  ///< empty: it is whole
   };
   /// Returns the ending once, after `stop` or a failure.
-  std::optional<Ending> takeEnding();
+  std::optional<Ending> popEnding();
 
  private:
   struct Waiting {

@@ -72,7 +72,7 @@ window::Chord chordFrom(const CsvRow& row) {
   fail(row, fmt::format("there is no key '{}' (the F1 page lists them)", name));
 }
 
-InputEvent inputOf(InputEvent::Kind kind, const Vec2& cursor) { return {.kind = kind, .at = cursor}; }
+InputEvent makeInputEvent(InputEvent::Kind kind, const Vec2& cursor) { return {.kind = kind, .at = cursor}; }
 
 /// Reads row by row; the cursor stays where the last move put it.
 class Reader {
@@ -92,22 +92,22 @@ class Reader {
   void readEvent(const CsvRow& row, std::string_view name) {
     if (name == "move") {
       cursor_ = Vec2(csvNumber(row, 2, "x", kPixels), csvNumber(row, 3, "y", kPixels));
-      add(inputOf(InputEvent::Kind::move, cursor_));
+      add(makeInputEvent(InputEvent::Kind::move, cursor_));
     } else if (name == "down" || name == "up") {
-      InputEvent event = inputOf(InputEvent::Kind::button, cursor_);
+      InputEvent event = makeInputEvent(InputEvent::Kind::button, cursor_);
       event.button = buttonFrom(row);
       event.down = name == "down";
       event.modifiers = modifiersFrom(row, 3);
       add(event);
     } else if (name == "scroll") {
-      InputEvent event = inputOf(InputEvent::Kind::scroll, cursor_);
+      InputEvent event = makeInputEvent(InputEvent::Kind::scroll, cursor_);
       event.notches = csvNumber(row, 2, "notches", kNotches);
       event.modifiers = modifiersFrom(row, 3);
       add(event);
     } else if (name == "key") {
       addKey(chordFrom(row));
     } else if (name == "text") {
-      InputEvent event = inputOf(InputEvent::Kind::text, cursor_);
+      InputEvent event = makeInputEvent(InputEvent::Kind::text, cursor_);
       event.text = field(row, 2, "a text");
       add(event);
     } else {
@@ -117,15 +117,15 @@ class Reader {
 
   void readWindowEvent(const CsvRow& row, std::string_view name) {
     if (name == "focus") {
-      InputEvent event = inputOf(InputEvent::Kind::focus, cursor_);
+      InputEvent event = makeInputEvent(InputEvent::Kind::focus, cursor_);
       const std::string_view word = field(row, 2, "lost or gained");
       if (word != "lost" && word != "gained") fail(row, "focus is lost or gained");
       event.down = word == "gained";
       add(event);
     } else if (name == "leave") {
-      add(inputOf(InputEvent::Kind::leave, cursor_));
+      add(makeInputEvent(InputEvent::Kind::leave, cursor_));
     } else if (name == "drop") {
-      InputEvent event = inputOf(InputEvent::Kind::drop, cursor_);
+      InputEvent event = makeInputEvent(InputEvent::Kind::drop, cursor_);
       event.text = (folder_ / pathOf(field(row, 2, "a file"))).string();
       add(event);
     } else if (name == "size") {
@@ -158,7 +158,7 @@ class Reader {
   }
 
   void addKey(const window::Chord& chord) {
-    InputEvent event = inputOf(InputEvent::Kind::key, cursor_);
+    InputEvent event = makeInputEvent(InputEvent::Kind::key, cursor_);
     event.key = chord.key;
     event.modifiers = chord.modifiers;
     event.down = true;

@@ -32,8 +32,8 @@ std::uint32_t newestWorld(trace::RecordingReader& viewer) {
 }
 
 /// Those after the last change of the body, up to a maximum.
-void takeSamples(trace::RecordingReader& viewer, const trace::TickSpan& span, const trace::RecordingWorld& shown,
-                 RecordedTouch& recorded, const Progress& progress) {
+void collectSamples(trace::RecordingReader& viewer, const trace::TickSpan& span, const trace::RecordingWorld& shown,
+                    RecordedTouch& recorded, const Progress& progress) {
   constexpr std::uint64_t kBetweenReports = 4096;  // ticks
   const std::uint64_t first = std::max(span.from, viewer.facts().first_tick);
   const double length = std::max(1.0, static_cast<double>(viewer.facts().last_tick - first));
@@ -83,7 +83,7 @@ RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& 
     recorded.notes.push_back(trf("The last {:.0f} of {:.0f} s are shown; palpate recording trim cuts out others",
                                  kLongestReplayS, facts.seconds()));
   }
-  takeSamples(viewer, span, shown, recorded, progress);
+  collectSamples(viewer, span, shown, recorded, progress);
   for (std::size_t i = 0; i < std::min(kFingers, shown.fingers.size()); ++i) {
     recorded.radius_mm.push_back(engine::contactSettingsFrom(shown.fingers[i].contact).radius_mm);
   }

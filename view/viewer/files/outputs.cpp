@@ -147,7 +147,7 @@ void Outputs::useProfile(ViewerState& viewer) {
   viewer.output.changed |= kMapChange;
 }
 
-void Outputs::keepFrame(ViewerState& viewer, view::Image image) {
+void Outputs::saveFrame(ViewerState& viewer, view::Image image) {
   Recording& recording = viewer.recording;
   if (screenshot_) {
     const TakeScreenshot request = *std::exchange(screenshot_, std::nullopt);
@@ -155,7 +155,7 @@ void Outputs::keepFrame(ViewerState& viewer, view::Image image) {
     pictures_.write(file, image);
     // The next fresh name must not be the same one.
     pictures_.finish();
-    tellErrors(viewer);
+    reportErrors(viewer);
     if (fs::exists(file)) {
       viewer.report(Severity::info, trf("The picture is saved as {}", file.string()));
       saved_picture_ = file;
@@ -190,7 +190,7 @@ void Outputs::stopFilm(ViewerState& viewer) {
 
 /// Reported when it is complete, which is some pictures after its end.
 void Outputs::followFilm(ViewerState& viewer) {
-  const std::optional<FilmRecorder::Ending> ending = film_.takeEnding();
+  const std::optional<FilmRecorder::Ending> ending = film_.popEnding();
   if (!ending) return;
   viewer.recording.film = false;
   viewer.report(ending->trouble.empty() ? Severity::info : Severity::error,
@@ -198,14 +198,14 @@ void Outputs::followFilm(ViewerState& viewer) {
                                         : trf("The film ended: {}", ending->trouble));
 }
 
-void Outputs::tellErrors(ViewerState& viewer) {
-  const std::string error = pictures_.takeError();
+void Outputs::reportErrors(ViewerState& viewer) {
+  const std::string error = pictures_.popError();
   if (error.empty()) return;
   viewer.recording.sequence = false;
   viewer.report(Severity::error, error);
 }
 
-fs::path Outputs::keepChanges(const ViewerState& viewer) const {
+fs::path Outputs::saveBackup(const ViewerState& viewer) const {
   if (!viewer.history.changed()) return {};
   const fs::path& from = viewer.document.file;
   const fs::path target = from.empty() ? freshFile(folder_, "scene-backup", ".toml")
@@ -218,7 +218,7 @@ void Outputs::finish(ViewerState& viewer) {
   if (viewer.recording.forces) toggleForces(viewer);
   if (viewer.recording.sequence) toggleSequence(viewer);
   pictures_.finish();
-  tellErrors(viewer);
+  reportErrors(viewer);
   stopFilm(viewer);
   film_.wait();
   followFilm(viewer);

@@ -50,7 +50,7 @@ class PictureWriter {
 
   void write(std::filesystem::path file, view::Image image);
   /// The failure since the last call, or empty.
-  std::string takeError();
+  std::string popError();
   void finish();
 
  private:
@@ -99,7 +99,7 @@ class Outputs {
   /// The body alone, without a background.
   void askForClearPicture() { clear_picture_ = true; }
   /// Whether it was requested in this frame; resets the request.
-  bool takeClearPicture() { return std::exchange(clear_picture_, false); }
+  bool popClearPictureRequest() { return std::exchange(clear_picture_, false); }
   /// Whether the picture of this frame is saved without pop-ups. Pictures of a sequence never have them.
   bool wantsNoPopUps(const ViewerState& viewer) const {
     if (screenshot_) return !screenshot_->with_pop_ups;
@@ -110,29 +110,29 @@ class Outputs {
     return screenshot_ || viewer.recording.sequence || film_.wants(viewer.now_s);
   }
   /// The picture saved since the last call, or empty.
-  std::filesystem::path takeSavedPicture() { return std::exchange(saved_picture_, {}); }
+  std::filesystem::path popSavedPicture() { return std::exchange(saved_picture_, {}); }
   void saveClearPicture(ViewerState& viewer, const view::CutOut& picture);
   const std::filesystem::path& folder() const { return folder_; }
 
   /// Call after a frame was drawn; `read` fetches it if it is needed.
   template <class Read>
   void frameDrawn(ViewerState& viewer, const Read& read) {
-    if (wantsFrame(viewer)) keepFrame(viewer, read());
+    if (wantsFrame(viewer)) saveFrame(viewer, read());
     followFilm(viewer);
-    tellErrors(viewer);
+    reportErrors(viewer);
   }
 
   /// Saves a changed scene without a question next to its source, under a fresh name (scene-backup.toml). Returns the
   /// file, or empty without changes. Throws Error.
-  std::filesystem::path keepChanges(const ViewerState& viewer) const;
+  std::filesystem::path saveBackup(const ViewerState& viewer) const;
 
   /// Completes the running recordings.
   void finish(ViewerState& viewer);
 
  private:
   void endBrokenForces(ViewerState& viewer, const std::string& why);
-  void keepFrame(ViewerState& viewer, view::Image image);
-  void tellErrors(ViewerState& viewer);
+  void saveFrame(ViewerState& viewer, view::Image image);
+  void reportErrors(ViewerState& viewer);
   void followFilm(ViewerState& viewer);
 
   std::filesystem::path folder_;

@@ -42,7 +42,7 @@ void sortHands(std::vector<trace::RecordedFinger>& fingers) {
   if (fingers.size() == 2 && is(kFingerNames[0])(fingers[1])) std::swap(fingers[0], fingers[1]);
 }
 
-RecordedTips tipsOf(std::vector<trace::RecordedFinger> fingers) {
+RecordedTips mergeTips(std::vector<trace::RecordedFinger> fingers) {
   sortHands(fingers);
   if (fingers.size() > kFingers) fingers.resize(kFingers);
   RecordedTips recorded;
@@ -106,7 +106,7 @@ void touch(engine::ServoPlan& plan, const RecordedTips& of, RecordedTouch& recor
 
 RecordedTouch touchedAgain(const std::shared_ptr<const scene::World>& world, const scene::Scene& scene,
                            const std::filesystem::path& table, const Progress& progress) {
-  const RecordedTips tips = tipsOf(trace::readForcesTable(table));
+  const RecordedTips tips = mergeTips(trace::readForcesTable(table));
   RecordedTouch recorded;
   recorded.file = table.string();
   recorded.ticks_per_s = ticksPerS(tips.time_s, scene.ticks_per_s);

@@ -69,7 +69,7 @@ void PictureWriter::write(std::filesystem::path file, view::Image image) {
   change_.notify_all();
 }
 
-std::string PictureWriter::takeError() {
+std::string PictureWriter::popError() {
   const std::lock_guard lock(mutex_);
   return std::exchange(error_, {});
 }

@@ -140,12 +140,12 @@ void RecordingKeeper::advance(ViewerState& viewer) {
   const engine::RecorderState state = recorder_->state();
   Recording& recording = viewer.recording;
   recording.viewer = true;
-  recording.session_s = state.seconds;
+  recording.length_s = state.seconds;
   if (state.dropped > std::exchange(recording.dropped, state.dropped)) {
     viewer.report(Severity::warning,
                   trf("The disk is too slow: {} samples are missing in the recording", state.dropped));
   }
-  if (const auto kept = recorder_->takeKept()) {
+  if (const auto kept = recorder_->collectSaved()) {
     recording.keeping = false;
     if (kept->failure.empty()) {
       recording.kept_file = kept->file.string();
@@ -168,11 +168,11 @@ void RecordingKeeper::followDevices(const ViewerState& viewer) {
   }
 }
 
-void RecordingKeeper::keep(ViewerState& viewer, const fs::path& folder) {
+void RecordingKeeper::save(ViewerState& viewer, const fs::path& folder) {
   if (!recorder_) {
     return viewer.report(Severity::warning, "Nothing is recorded by itself: Record switches it on");
   }
-  if (!recorder_->keep(freshFile(folder, "session-" + nameNow(), std::string(kExtension)))) return;
+  if (!recorder_->save(freshFile(folder, "session-" + nameNow(), std::string(kExtension)))) return;
   viewer.recording.keeping = true;
 }
 

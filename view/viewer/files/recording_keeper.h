@@ -38,7 +38,7 @@ class RecordingKeeper {
   /// Once a frame: begins and ends with the recording's switch, notes who holds the fingers, reports failures.
   void advance(ViewerState& viewer);
   /// Copies the last hour to a fresh name in the folder.
-  void keep(ViewerState& viewer, const std::filesystem::path& folder);
+  void save(ViewerState& viewer, const std::filesystem::path& folder);
   void mark(ViewerState& viewer, std::string words);
   /// Attaches a saved picture at the newest tick.
   void attachPicture(const std::filesystem::path& file);

@@ -27,7 +27,7 @@ scene::Finger asPressed(const contact::FingerOutput& contact, const std::string&
 
 std::string sceneSnippet(const ViewerState& viewer) {
   scene::Scene scene = sceneToSave(viewer);
-  keepCamera(viewer, scene.view);
+  storeCamera(viewer, scene.view);
   std::string head = fmt::format("# {}\n", viewer.world.name);
   std::vector<scene::Finger> pressed;
   for (std::size_t i = 0; i < kFingers; ++i) {

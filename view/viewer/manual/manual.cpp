@@ -78,7 +78,7 @@ std::size_t findWord(std::string_view text, std::string_view word, std::size_t f
   return std::string_view::npos;
 }
 
-double timesOf(std::string_view text, std::string_view word) {
+double countWord(std::string_view text, std::string_view word) {
   std::size_t count = 0;
   for (std::size_t at = findWord(text, word); at != std::string_view::npos && count < kMaxCounted;
        at = findWord(text, word, at + 1)) {
@@ -89,11 +89,11 @@ double timesOf(std::string_view text, std::string_view word) {
 
 using SoughtWords = std::vector<std::string>;
 
-double scoreOf(const Part& part, const SoughtWords& words) {
+double scoreMatch(const Part& part, const SoughtWords& words) {
   double score = 0.0;
   for (const std::string& word : words) {
     if (findWord(part.lower_heading, word) != std::string_view::npos) score += kHeadingScore;
-    score += kBodyScore * timesOf(part.lower_text, word);
+    score += kBodyScore * countWord(part.lower_text, word);
   }
   return score;
 }
@@ -113,7 +113,7 @@ bool pageHolds(const Indexed& page, const std::string& word) {
   });
 }
 
-std::string excerptOf(const Part& part, const SoughtWords& words) {
+std::string makeExcerpt(const Part& part, const SoughtWords& words) {
   std::size_t first = std::string::npos;
   for (const std::string& word : words) first = std::min(first, findWord(part.lower_text, word));
   if (first == std::string::npos) first = 0;
@@ -125,13 +125,13 @@ std::string excerptOf(const Part& part, const SoughtWords& words) {
   return (begin > 0 ? "... " : "") + std::string(trimmed(excerpt));
 }
 
-std::optional<ManualResult> resultOf(const Indexed& page, const SoughtWords& words) {
+std::optional<ManualResult> searchPage(const Indexed& page, const SoughtWords& words) {
   if (!std::all_of(words.begin(), words.end(), [&](const auto& word) { return pageHolds(page, word); })) return {};
   ManualResult result{page.page, {}, {}, 0.0};
   const Part* best = nullptr;
   double best_score = -1.0;
   for (const Part& part : page.parts) {
-    const double score = scoreOf(part, words);
+    const double score = scoreMatch(part, words);
     result.score += score;
     if (score > best_score) {
       best = &part;
@@ -142,7 +142,7 @@ std::optional<ManualResult> resultOf(const Indexed& page, const SoughtWords& wor
     if (titleHolds(page, word)) result.score += kTitleScore;
   }
   result.heading = best->heading;
-  result.excerpt = excerptOf(*best, words);
+  result.excerpt = makeExcerpt(*best, words);
   return result;
 }
 
@@ -181,7 +181,7 @@ std::vector<ManualResult> searchManual(std::string_view words, std::size_t most)
   std::vector<ManualResult> results;
   if (sought.empty()) return results;
   for (const Indexed& page : manualIndex()) {
-    if (auto result = resultOf(page, sought)) results.push_back(*std::move(result));
+    if (auto result = searchPage(page, sought)) results.push_back(*std::move(result));
   }
   std::stable_sort(results.begin(), results.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
   if (results.size() > most) results.erase(results.begin() + static_cast<std::ptrdiff_t>(most), results.end());

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kFence = "```";
 
-std::size_t indentOf(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
+std::size_t indentWidth(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
 /// Comments mark figures that a study writes; readers must not see them.
 std::string withoutComments(std::string_view text) {
@@ -61,7 +61,7 @@ std::optional<Marked> markedAt(std::string_view text) {
   return linkAt(text);
 }
 
-Inlines inlinesOf(std::string_view text) {
+Inlines parseInlines(std::string_view text) {
   Inlines words;
   std::string plain;
   const auto end_plain = [&] {
@@ -85,7 +85,7 @@ Inlines inlinesOf(std::string_view text) {
   return words;
 }
 
-std::vector<Inlines> cellsOf(std::string_view row) {
+std::vector<Inlines> splitCells(std::string_view row) {
   row = trimmed(row);
   row.remove_prefix(1);
   if (row.ends_with('|')) row.remove_suffix(1);
@@ -97,12 +97,12 @@ std::vector<Inlines> cellsOf(std::string_view row) {
     if (row[i] == '\\' && i + 1 < row.size() && row[i + 1] == '|') {
       cell += row[++i];
     } else if (row[i] == '|' && !code) {
-      cells.push_back(inlinesOf(trimmed(std::exchange(cell, {}))));
+      cells.push_back(parseInlines(trimmed(std::exchange(cell, {}))));
     } else {
       cell += row[i];
     }
   }
-  cells.push_back(inlinesOf(trimmed(cell)));
+  cells.push_back(parseInlines(trimmed(cell)));
   return cells;
 }
 
@@ -121,9 +121,9 @@ std::optional<ItemBegin> itemAt(std::string_view line) {
 /// Line by line; a block ends where another begins.
 class MarkdownReader {
  public:
-  void take(std::string_view line) {
-    if (in_code_) return takeCode(line);
-    const std::size_t indent = indentOf(line);
+  void addLine(std::string_view line) {
+    if (in_code_) return addCodeLine(line);
+    const std::size_t indent = indentWidth(line);
     const std::string_view words = trimmed(line);
     if (words.starts_with(kFence)) {
       endBlock();
@@ -133,9 +133,9 @@ class MarkdownReader {
     } else if (words.empty() || words == "---") {
       endBlock();
     } else if (words.starts_with('#') && indent == 0) {
-      takeHeading(words);
+      addHeading(words);
     } else if (words.starts_with('|')) {
-      takeRow(words);
+      addRow(words);
     } else if (const auto item = itemAt(words)) {
       endBlock();
       under_way_ = Block{.kind = Block::Kind::item, .level = static_cast<int>(indent / 2), .marker = item->marker};
@@ -154,34 +154,34 @@ class MarkdownReader {
   void endBlock() {
     in_table_ = false;
     if (!under_way_) return;
-    under_way_->words = inlinesOf(text_);
+    under_way_->words = parseInlines(text_);
     if (!under_way_->words.empty()) blocks_.push_back(*std::move(under_way_));
     under_way_.reset();
     text_.clear();
   }
-  void takeCode(std::string_view line) {
+  void addCodeLine(std::string_view line) {
     if (trimmed(line).starts_with(kFence)) {
       in_code_ = false;
       return;
     }
     std::string& text = blocks_.back().text;
     if (!text.empty()) text += '\n';
-    text += line.substr(std::min(indentOf(line), code_indent_));
+    text += line.substr(std::min(indentWidth(line), code_indent_));
   }
-  void takeHeading(std::string_view words) {
+  void addHeading(std::string_view words) {
     endBlock();
     const std::size_t level = std::min(words.find_first_not_of('#'), words.size());
     blocks_.push_back({.kind = Block::Kind::heading,
                        .level = static_cast<int>(level),
-                       .words = inlinesOf(trimmed(words.substr(level)))});
+                       .words = parseInlines(trimmed(words.substr(level)))});
   }
-  void takeRow(std::string_view words) {
+  void addRow(std::string_view words) {
     if (!in_table_) {
       endBlock();
       in_table_ = true;
       blocks_.push_back({.kind = Block::Kind::table});
     }
-    if (words.find_first_not_of("|-: ") != std::string_view::npos) blocks_.back().rows.push_back(cellsOf(words));
+    if (words.find_first_not_of("|-: ") != std::string_view::npos) blocks_.back().rows.push_back(splitCells(words));
   }
 
   std::vector<Block> blocks_;
@@ -200,7 +200,7 @@ std::vector<Block> readMarkdown(std::string_view text) {
   // Not `split`, which would remove the spaces at the begin of a line.
   for (std::size_t begin = 0; begin < seen.size();) {
     const std::size_t end = std::min(seen.find('\n', begin), seen.size());
-    reader.take(std::string_view(seen).substr(begin, end - begin));
+    reader.addLine(std::string_view(seen).substr(begin, end - begin));
     begin = end + 1;
   }
   return reader.finish();
@@ -224,7 +224,7 @@ std::string plainText(const Block& block) {
   return text;
 }
 
-std::string anchorOf(std::string_view heading) {
+std::string headingAnchor(std::string_view heading) {
   std::string anchor;
   for (const char letter : heading) {
     const auto c = static_cast<unsigned char>(letter);

@@ -34,6 +34,6 @@ std::string plainText(const Inlines& words);
 std::string plainText(const Block& block);
 
 /// The name of a heading in links: lower case, spaces as hyphens, no punctuation.
-std::string anchorOf(std::string_view heading);
+std::string headingAnchor(std::string_view heading);
 
 }  // namespace palpate::viewer

@@ -40,7 +40,7 @@ bool textLine(const char* path, const char* label, std::string& text) {
 }
 
 /// The reason why the class cannot be started with this input; empty: it can.
-std::string faultOf(const ClassFields& fields, bool exists) {
+std::string findInputFault(const ClassFields& fields, bool exists) {
   if (fields.start.folder.empty()) return tr("Type a folder");
   if (exists) return {};
   if (fields.start.name.empty()) return tr("Type a name for the class");
@@ -67,7 +67,7 @@ void runPart(const ClassShown& shown, const std::filesystem::path& folder, Class
   numberWidget(fields.stations, {"class/stations", "stations", "%.0f", 1.0, kMaxStations, 2.0,
                                  "How many trainees can take part at once; more can be added later."});
   ImGui::EndDisabled();
-  const std::string fault = faultOf(fields, exists);
+  const std::string fault = findInputFault(fields, exists);
   ImGui::BeginDisabled(!fault.empty());
   starts = buttonWidget("class/start", exists ? "Start this class again" : "Make and start the class") || starts;
   ImGui::EndDisabled();
@@ -119,7 +119,7 @@ void classDialog(const ClassShown& shown, const std::filesystem::path& folder, b
   }
   if (!shown.trouble.empty()) {
     ImGui::PushTextWrapPos(0.0f);
-    severeWords(Severity::warning, shown.trouble);
+    drawSeverityText(Severity::warning, shown.trouble);
     ImGui::PopTextWrapPos();
   }
   if (!shown.folder.empty() && !shown.runs && shown.trouble.empty()) remark("Making the class ...");

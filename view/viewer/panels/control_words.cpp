@@ -147,7 +147,7 @@ constexpr ControlRow kControlWords[] = {
 
 }  // namespace
 
-std::string_view controlWords(std::string_view path) {
+std::string_view controlTooltip(std::string_view path) {
   const auto row = std::find_if(std::begin(kControlWords), std::end(kControlWords), [&](const ControlRow& r) {
     return r.path.ends_with('/') ? path.starts_with(r.path) : path == r.path;
   });

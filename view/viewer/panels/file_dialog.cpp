@@ -40,13 +40,13 @@ struct Listing {
   Kinds kinds = kSceneKinds;
 };
 
-bool isOneOf(Kinds kinds, const fs::path& file) {
+bool hasListedKind(Kinds kinds, const fs::path& file) {
   std::string kind = file.extension().string();
   std::transform(kind.begin(), kind.end(), kind.begin(), [](unsigned char c) { return std::tolower(c); });
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
-Listing listingOf(const fs::path& folder, Kinds kinds = kSceneKinds) {
+Listing listFolder(const fs::path& folder, Kinds kinds = kSceneKinds) {
   Listing listing{folder, {}, {}, kinds};
   std::error_code error;
   for (fs::directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
@@ -55,7 +55,7 @@ Listing listingOf(const fs::path& folder, Kinds kinds = kSceneKinds) {
     if (entry->path().filename().native().starts_with('.')) continue;
     if (entry->is_directory(ignored)) {
       listing.folders.push_back(entry->path());
-    } else if (isOneOf(kinds, entry->path())) {
+    } else if (hasListedKind(kinds, entry->path())) {
       listing.files.push_back(entry->path());
     }
   }
@@ -66,7 +66,7 @@ Listing listingOf(const fs::path& folder, Kinds kinds = kSceneKinds) {
 
 /// Used on the display's thread, like ImGui's own state.
 Listing& shownListing() {
-  static Listing listing = listingOf(fs::current_path());
+  static Listing listing = listFolder(fs::current_path());
   return listing;
 }
 
@@ -103,7 +103,7 @@ Selection walk(Listing& listing, const char* path, const std::string& selected =
     if (listing.folders.empty() && listing.files.empty()) remark("nothing of that kind here");
   }
   ImGui::EndChild();
-  if (!next.empty()) listing = listingOf(next, listing.kinds);
+  if (!next.empty()) listing = listFolder(next, listing.kinds);
   return chosen;
 }
 
@@ -131,7 +131,7 @@ std::string fileTyped(Listing& listing, std::string& typed, std::string& trouble
   const fs::path file = listing.folder / pathOf(typed);  // a full path stays one
   std::error_code error;
   if (fs::is_directory(file, error)) {
-    listing = listingOf(file.lexically_normal(), listing.kinds);
+    listing = listFolder(file.lexically_normal(), listing.kinds);
     typed.clear();
     trouble.clear();
     return {};
@@ -144,18 +144,18 @@ std::string fileTyped(Listing& listing, std::string& typed, std::string& trouble
 }
 
 void troubleLine(const std::string& trouble) {
-  if (!trouble.empty()) severeWords(Severity::warning, trouble);
+  if (!trouble.empty()) drawSeverityText(Severity::warning, trouble);
 }
 
 }  // namespace
 
-void showFolder(const fs::path& folder) { shownListing() = listingOf(folder); }
+void showFolder(const fs::path& folder) { shownListing() = listFolder(folder); }
 
 namespace {
 
 std::vector<fs::path> newestFirst(Kinds kinds) {
   std::vector<std::pair<fs::file_time_type, fs::path>> dated;
-  for (const fs::path& file : listingOf(shownListing().folder, kinds).files) {
+  for (const fs::path& file : listFolder(shownListing().folder, kinds).files) {
     std::error_code gone;
     if (const auto time = fs::last_write_time(file, gone); !gone) dated.emplace_back(time, file);
   }
@@ -195,7 +195,7 @@ std::string walkWithPreview(Listing& listing, std::string& typed, PreviewPane& p
 void choosePreview(const Listing& listing, const std::string& typed, PreviewPane& preview) {
   const fs::path file = typed.empty() ? fs::path() : listing.folder / pathOf(typed);
   std::error_code error;
-  preview.choose(isOneOf(kSceneKinds, file) && fs::is_regular_file(file, error) ? file : fs::path());
+  preview.choose(hasListedKind(kSceneKinds, file) && fs::is_regular_file(file, error) ? file : fs::path());
 }
 
 }  // namespace
@@ -206,7 +206,7 @@ void openDialog(std::span<const std::string> recent, bool& open, PreviewPane& pr
   if (!beginDialog("Open a scene or a mesh", open)) return;
   Listing& listing = shownListing();
   if (ImGui::IsWindowAppearing()) {
-    listing = listingOf(listing.folder);  // files may be new since it was last open
+    listing = listFolder(listing.folder);  // files may be new since it was last open
     typed.clear();
     trouble.clear();
   }
@@ -240,7 +240,7 @@ std::string photographDialog(const char* title, bool& open) {
   if (!beginDialog(title, open)) return {};
   Listing& listing = shownListing();
   if (ImGui::IsWindowAppearing()) {
-    listing = listingOf(listing.folder, kPhotographKinds);
+    listing = listFolder(listing.folder, kPhotographKinds);
     typed.clear();
     trouble.clear();
   }
@@ -258,7 +258,7 @@ void saveDialog(const fs::path& now, const fs::path& folder, bool& open, UiOutpu
   if (!beginDialog("Save the scene as", open)) return;
   Listing& listing = shownListing();
   if (ImGui::IsWindowAppearing()) {
-    listing = listingOf(now.empty() ? folder : now.parent_path());
+    listing = listFolder(now.empty() ? folder : now.parent_path());
     typed = now.empty() ? "scene.toml" : now.filename().string();
   }
   const fs::path walked = pathOf(walk(listing, "save").file);
@@ -292,12 +292,12 @@ fs::path fileToWrite(const SaveAs& as, Listing& listing, std::string& typed, std
   fs::path file = listing.folder / pathOf(typed);
   std::error_code error;
   if (fs::is_directory(file, error)) {
-    listing = listingOf(file.lexically_normal(), as.kinds);
+    listing = listFolder(file.lexically_normal(), as.kinds);
     typed.clear();
     return {};
   }
   if (file.extension().empty()) file += as.kinds.front();
-  if (!isOneOf(as.kinds, file)) {
+  if (!hasListedKind(as.kinds, file)) {
     trouble =
         trf("Expected a name that ends in {}", fmt::format("{}", fmt::join(as.kinds, fmt::format(" {} ", tr("or")))));
     return {};
@@ -321,7 +321,7 @@ std::string saveAsDialog(const SaveAs& as, const fs::path& folder, bool& open) {
   if (!beginDialog(as.title, open)) return {};
   Listing& listing = shownListing();
   if (ImGui::IsWindowAppearing()) {
-    listing = listingOf(folder, as.kinds);
+    listing = listFolder(folder, as.kinds);
     typed = freshFile(folder, as.stem, std::string(as.kinds.front())).filename().string();
     trouble.clear();
     confirmed.clear();

@@ -37,12 +37,12 @@ constexpr PanelEntry kPanels[] = {
      }},
     {toTranslate("Dysfunctions"),
      [](ViewerState& s) {
-       dysfunctionPanel({s.dysfunctions(), s.history.steps().undoWords(), s.history.steps().redoWords()});
+       dysfunctionPanel({s.dysfunctions(), s.history.steps().undoLabel(), s.history.steps().redoLabel()});
        if (s.editor.active && s.lump_editor.active) stopEditing(s.lumps());
      }},
     {toTranslate("Lumps"),
      [](ViewerState& s) {
-       lumpPanel({s.lumps(), s.history.steps().undoWords(), s.history.steps().redoWords()});
+       lumpPanel({s.lumps(), s.history.steps().undoLabel(), s.history.steps().redoLabel()});
        if (s.lump_editor.active && s.editor.active) stopEditing(s.dysfunctions());
      }},
     {toTranslate("Model"),
@@ -66,13 +66,13 @@ constexpr PanelEntry kPanels[] = {
     {kPerformance, [](ViewerState& s) { performancePanel(s.performance); }},
 };
 
-MenuBar menuOf(ViewerState& viewer, const Modes& modes) {
+MenuBar makeMenuBar(ViewerState& viewer, const Modes& modes) {
   MenuBar menu{.state = viewer.state,
                .hint = viewer.hint,
                .on = {},
                .unread_messages = viewer.messages.unread(),
                .status = {},
-               .recording = recordingWords(viewer.recording, viewer.now_s)};
+               .recording = recordingStatus(viewer.recording, viewer.now_s)};
   menu.filming = viewer.recording.film;
   if (!viewer.world.landmarks.empty()) menu.room_for_place = kPlaceFieldWidth;
   menu.offers_stop = viewer.devices.anyHeld() || viewer.devices.stopped;
@@ -92,7 +92,7 @@ MenuBar menuOf(ViewerState& viewer, const Modes& modes) {
   return menu;
 }
 
-PlotStrips plotsOf(ViewerState& viewer) {
+PlotStrips makePlotStrips(ViewerState& viewer) {
   const Replay& replay = viewer.replay;
   return {viewer.plots, viewer.finger_present, viewer.device_limit_n, viewer.now_s,
           replay.frozen ? std::optional(replay.at_s) : std::nullopt};
@@ -159,7 +159,7 @@ namespace {
 void drawAroundTheBody(ViewerState& viewer, float width, const FreeArea& free) {
   const Shown& shown = viewer.state.shown;
   if (shown.panel) sidePanel(viewer, width, free);
-  if (shown.plots) plotStrips(plotsOf(viewer), free, viewer.output);
+  if (shown.plots) plotStrips(makePlotStrips(viewer), free, viewer.output);
   if (viewer.editing()) editingFrame(free);
   if (viewer.ruler.active) rulerNotice(viewer.ruler, free);
   interventionNotice(interventionLines(viewer), free);
@@ -201,7 +201,7 @@ void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& picture
   const FreeArea free = freeArea(shown, size.x, size.y);
   if (Mode* mode = modes.claimant(&Claims::window)) return drawModeWindow(*mode, viewer, free);
   if (!shown.open_dialog) viewer.replay.chooses_beside = false;
-  menuBar(menuOf(viewer, modes), viewer.output);
+  menuBar(makeMenuBar(viewer, modes), viewer.output);
   placeField({viewer.place_search, viewer.world.landmarks, viewer.place_words}, viewer.output);
   doActions(viewer, modes);
   if (Mode* mode = modes.claimant(&Claims::body)) {

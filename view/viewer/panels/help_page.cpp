@@ -43,7 +43,7 @@ bool beginRows(const char* name, float names) {
   return true;
 }
 
-void groupOf(window::KeyGroup group, float names) {
+void drawKeyGroup(window::KeyGroup group, float names) {
   const auto index = static_cast<std::size_t>(group);
   ImGui::TextDisabled("%s", tr(std::string(window::kKeyGroupNames[index]).c_str()));
   if (!beginRows(std::string(window::kKeyGroupNames[index]).c_str(), names)) return;
@@ -75,12 +75,12 @@ void helpPage(bool& open) {
     if (ImGui::BeginTable("columns", size.x < kMinForTwo ? 1 : 2)) {
       ImGui::TableNextColumn();
       mouseRules();
-      groupOf(window::KeyGroup::touch, kLeftNames);
-      groupOf(window::KeyGroup::overlays, kLeftNames);
+      drawKeyGroup(window::KeyGroup::touch, kLeftNames);
+      drawKeyGroup(window::KeyGroup::overlays, kLeftNames);
       ImGui::TableNextColumn();
-      groupOf(window::KeyGroup::view, kRightNames);
-      groupOf(window::KeyGroup::window, kRightNames);
-      groupOf(window::KeyGroup::file, kRightNames);
+      drawKeyGroup(window::KeyGroup::view, kRightNames);
+      drawKeyGroup(window::KeyGroup::window, kRightNames);
+      drawKeyGroup(window::KeyGroup::file, kRightNames);
       ImGui::EndTable();
     }
     ImGui::PopStyleVar();

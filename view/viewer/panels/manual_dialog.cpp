@@ -71,7 +71,7 @@ void results(ManualShown& manual, bool entered) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (resultRow(found[i], i)) chosen = &found[i];
   }
-  if (chosen != nullptr) goTo(manual, *chosen->page, anchorOf(chosen->heading));
+  if (chosen != nullptr) goTo(manual, *chosen->page, headingAnchor(chosen->heading));
 }
 
 void pageShown(ManualShown& manual) {

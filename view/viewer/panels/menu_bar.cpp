@@ -23,7 +23,7 @@ struct Menus {
 };
 
 void item(const Menus& menus, Action action) {
-  const window::KeyBinding& binding = window::bindingOf(action);
+  const window::KeyBinding& binding = window::findBinding(action);
   const bool on = menus.bar.on[static_cast<std::size_t>(action)];
   if (ImGui::MenuItem(tr(std::string(binding.name).c_str()), window::keysOf(binding).c_str(), on))
     menus.output.act(action);
@@ -118,7 +118,7 @@ void languageMenu(const Menus& menus) {
     if (plainItem("menu/Language", std::string(offered.own_name).c_str(), chosen == offered.code))
       chosen = offered.code;
   }
-  if (chosen != before) menus.output.tell(Severity::info, "The language holds from the next start");
+  if (chosen != before) menus.output.report(Severity::info, "The language holds from the next start");
   ImGui::EndMenu();
 }
 

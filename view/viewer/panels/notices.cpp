@@ -20,7 +20,7 @@ constexpr auto kNotice = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove
 /// Shorter work shows no progress.
 constexpr double kProgressAfterS = 0.15;
 
-float middleOf(const FreeArea& free) { return 0.5f * (free.left + free.right); }
+float centreX(const FreeArea& free) { return 0.5f * (free.left + free.right); }
 
 /// Text breaks in here, so that a notice fits into a narrow window too.
 float wordsWidth(const FreeArea& free) {
@@ -28,7 +28,7 @@ float wordsWidth(const FreeArea& free) {
   return std::clamp(free.right - free.left - 40.0f, 120.0f, kMax);
 }
 
-void wrappedWords(std::string_view words, const FreeArea& free) {
+void drawWrappedText(std::string_view words, const FreeArea& free) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wordsWidth(free));
   ImGui::TextUnformatted(tr(std::string(words).c_str()));
   ImGui::PopTextWrapPos();
@@ -44,7 +44,7 @@ ImVec4 colourOf(Severity severity) {
   return ImGui::GetStyleColorVec4(ImGuiCol_Text);
 }
 
-std::string prefixOf(Severity severity) {
+std::string severityPrefix(Severity severity) {
   if (severity == Severity::error) return fmt::format("{}: ", tr("Error"));
   return severity == Severity::warning ? fmt::format("{}: ", tr("Warning")) : "";
 }
@@ -53,10 +53,10 @@ std::string prefixOf(Severity severity) {
 
 void hint(std::string_view words, const FreeArea& free) {
   if (words.empty()) return;
-  ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowPos({centreX(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.72f);
   if (ImGui::Begin("hint", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
-    wrappedWords(words, free);
+    drawWrappedText(words, free);
   }
   notePlaceOfWindow("hint");
   ImGui::End();
@@ -66,12 +66,13 @@ void toast(Messages& messages, double now_s, const FreeArea& free) {
   const Message* message = messages.toast(now_s);
   if (message == nullptr) return;
   const float width = std::min(460.0f, wordsWidth(free));
-  ImGui::SetNextWindowPos({middleOf(free), free.top + 12.0f}, ImGuiCond_Always, {0.5f, 0.0f});
+  ImGui::SetNextWindowPos({centreX(free), free.top + 12.0f}, ImGuiCond_Always, {0.5f, 0.0f});
   ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {width, 400.0f});
   ImGui::SetNextWindowBgAlpha(0.92f);
   if (ImGui::Begin("toast", nullptr, kNotice)) {
     ImGui::PushTextWrapPos(width - 20.0f);
-    ImGui::TextColored(colourOf(message->severity), "%s%s", prefixOf(message->severity).c_str(), message->text.c_str());
+    ImGui::TextColored(colourOf(message->severity), "%s%s", severityPrefix(message->severity).c_str(),
+                       message->text.c_str());
     ImGui::PopTextWrapPos();
     if (message->severity != Severity::info && buttonWidget("toast/dismiss", "Dismiss")) messages.dismiss();
   }
@@ -79,7 +80,7 @@ void toast(Messages& messages, double now_s, const FreeArea& free) {
   ImGui::End();
 }
 
-void severeWords(Severity severity, const std::string& words) {
+void drawSeverityText(Severity severity, const std::string& words) {
   ImGui::PushStyleColor(ImGuiCol_Text, colourOf(severity));
   ImGui::TextUnformatted(words.c_str());
   ImGui::PopStyleColor();
@@ -87,7 +88,7 @@ void severeWords(Severity severity, const std::string& words) {
 
 void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, UiOutput& output) {
   if (!building || building->since_s < kProgressAfterS) return;
-  ImGui::SetNextWindowPos({middleOf(free), free.below - 64.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowPos({centreX(free), free.below - 64.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.9f);
   if (ImGui::Begin("building", nullptr, kNotice)) {
     ImGui::TextUnformatted(tr(building->stage.c_str()));
@@ -102,9 +103,9 @@ void editingFrame(const FreeArea& free) {
   constexpr ImU32 kColour = IM_COL32(240, 170, 60, 255);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRect({free.left + 2.0f, free.top + 2.0f}, {free.right - 2.0f, free.below - 2.0f}, kColour, 0.0f, 0, 3.0f);
-  ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+  ImGui::SetNextWindowPos({centreX(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   if (ImGui::Begin("editing", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
-    wrappedWords("Editing: click places, drag moves, wheel sizes, Shift and wheel strengthens, Esc leaves", free);
+    drawWrappedText("Editing: click places, drag moves, wheel sizes, Shift and wheel strengthens, Esc leaves", free);
   }
   notePlaceOfWindow("editing");
   ImGui::End();
@@ -116,14 +117,15 @@ void stopBanner(const FreeArea& free, UiOutput& output) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float inset = 0.5f * kWidth;
   list.AddRect({free.left + inset, free.top + inset}, {free.right - inset, free.below - inset}, kRed, 0.0f, 0, kWidth);
-  ImGui::SetNextWindowPos({middleOf(free), free.top + 0.22f * (free.below - free.top)}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowPos({centreX(free), free.top + 0.22f * (free.below - free.top)}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(150, 14, 10, 245));
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
   if (ImGui::Begin("stop", nullptr, kNotice)) {
     ImGui::SetWindowFontScale(1.5f);
     ImGui::TextUnformatted(tr("EMERGENCY STOP"));
     ImGui::SetWindowFontScale(1.0f);
-    wrappedWords("No device gets a force. After the release a finger feels again once its tip has been outside.", free);
+    drawWrappedText("No device gets a force. After the release a finger feels again once its tip has been outside.",
+                    free);
     ImGui::PushStyleColor(ImGuiCol_Button, IM_COL32(90, 6, 4, 255));
     if (buttonWidget("stop/release", "Release the stop")) output.request(ReleaseStop{});
     ImGui::PopStyleColor();
@@ -138,14 +140,14 @@ void unsafeBanner(std::span<const std::string> notes, const FreeArea& free) {
   constexpr float kWidth = 6.0f;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({free.left, free.top}, {free.right, free.top + kWidth}, kAmber);
-  ImGui::SetNextWindowPos({middleOf(free), free.top + kWidth}, ImGuiCond_Always, {0.5f, 0.0f});
+  ImGui::SetNextWindowPos({centreX(free), free.top + kWidth}, ImGuiCond_Always, {0.5f, 0.0f});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, IM_COL32(150, 70, 0, 245));
   ImGui::PushStyleColor(ImGuiCol_Text, IM_COL32_WHITE);
   if (ImGui::Begin("unsafe", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
     const bool lifts = !notes.empty() && notes.front().starts_with(servo::kUnsafeMark);
-    wrappedWords(lifts ? trf("{}. Pause stops all forces.", notes.front())
-                       : std::string(tr("UNSAFE STIFFNESS allowed (--unsafe-stiffness). Pause stops all forces.")),
-                 free);
+    drawWrappedText(lifts ? trf("{}. Pause stops all forces.", notes.front())
+                          : std::string(tr("UNSAFE STIFFNESS allowed (--unsafe-stiffness). Pause stops all forces.")),
+                    free);
   }
   notePlaceOfWindow("unsafe");
   ImGui::End();
@@ -158,7 +160,7 @@ void interventionNotice(std::span<const std::string> lines, const FreeArea& free
   ImGui::SetNextWindowPos({free.left + 12.0f, free.below - kAboveScaleBar}, ImGuiCond_Always, {0.0f, 1.0f});
   ImGui::SetNextWindowBgAlpha(0.72f);
   if (ImGui::Begin("interventions", nullptr, kNotice | ImGuiWindowFlags_NoInputs)) {
-    for (const std::string& line : lines) wrappedWords(line, free);
+    for (const std::string& line : lines) drawWrappedText(line, free);
   }
   notePlaceOfWindow("interventions");
   ImGui::End();
@@ -166,10 +168,10 @@ void interventionNotice(std::span<const std::string> lines, const FreeArea& free
 
 void rulerNotice(const Ruler& ruler, const FreeArea& free) {
   constexpr float kBesideEnd = 14.0f;
-  std::string words = rulerWords(ruler);
+  std::string words = formatRuler(ruler);
   if (words.empty()) {
     words = tr(ruler.ends.empty() ? "Measuring: click a place on the skin" : "... and another; Esc ends it");
-    ImGui::SetNextWindowPos({middleOf(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
+    ImGui::SetNextWindowPos({centreX(free), free.below - 16.0f}, ImGuiCond_Always, {0.5f, 1.0f});
   } else {
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
     const float x =
@@ -235,14 +237,14 @@ void messageList(Messages& messages, bool& open) {
     if (buttonWidget("messages/copy", "Copy all")) {
       std::string all;
       for (const Message& message : messages.all()) {
-        all += fmt::format("{}{}\n", prefixOf(message.severity), message.text);
+        all += fmt::format("{}{}\n", severityPrefix(message.severity), message.text);
       }
       ImGui::SetClipboardText(all.c_str());
     }
     if (messages.all().empty()) remark("Nothing has been said yet.");
     for (const Message& message : messages.all()) {
       ImGui::TextColored(colourOf(message.severity), "%s  %s", trf("{:.1f} s", message.at_s).c_str(),
-                         prefixOf(message.severity).c_str());
+                         severityPrefix(message.severity).c_str());
       ImGui::SameLine(0.0f, 0.0f);
       ImGui::TextWrapped("%s", message.text.c_str());
     }

@@ -36,7 +36,7 @@ struct Part {
   }
 };
 
-std::string faultWords(std::uint32_t faults) {
+std::string describeFaults(std::uint32_t faults) {
   static constexpr std::array<const char*, 5> kWords = {
       toTranslate("no position"), toTranslate("position too old"), toTranslate("the driver is in trouble"),
       toTranslate("wants to be calibrated by hand"), toTranslate("closed")};
@@ -47,7 +47,7 @@ std::string faultWords(std::uint32_t faults) {
   return words;
 }
 
-std::string buttonWords(std::uint32_t buttons) {
+std::string listButtons(std::uint32_t buttons) {
   std::string words;
   for (std::size_t i = 0; i < 32; ++i) {
     if ((buttons >> i & 1u) != 0) words += fmt::format("{}{}", words.empty() ? "" : " ", i + 1);
@@ -101,14 +101,14 @@ void liveWidgets(const Part& part) {
   valueLine("delay", state.loop_ticks == 0 ? std::string(tr("not seen"))
                                            : fmt::format("{:.1f} ms", static_cast<double>(state.loop_ticks) * tick_ms));
   valueLine("age", fmt::format("{:.1f} ms", static_cast<double>(state.age_ticks) * tick_ms));
-  valueLine("buttons", buttonWords(state.buttons));
+  valueLine("buttons", listButtons(state.buttons));
   valueLine("loss, last second", fmt::format("{:.3f} mJ", held.most_loss_n_mm));
   const DevicesShown& devices = part.panel.devices;
   const std::string up_to =
       devices.ratios_kept_to_n > 0.0 ? fmt::format(" {}", trf("up to {:.2g} N", devices.ratios_kept_to_n)) : "";
   valueLine("stiffness of all", fmt::format("{:.0f} %{}", 100.0 * devices.stiffness_factor, up_to));
   // Always a line: text that appears must not move a control from under the mouse.
-  const std::string faults = faultWords(state.faults);
+  const std::string faults = describeFaults(state.faults);
   valueLine("faults", faults.empty() ? tr("none") : faults);
 }
 
@@ -124,7 +124,7 @@ void interventionWidgets(const Part& part) {
 }
 
 /// The scene's table for this device on this finger, made when it is missing.
-void keep(const Part& part, const scene::DeviceSettings& settings) {
+void saveDeviceSettings(const Part& part, const scene::DeviceSettings& settings) {
   auto& devices = part.panel.scene.devices;
   const auto same = [&](const scene::DeviceSettings& other) {
     return other.name == settings.name && other.finger == settings.finger;
@@ -182,7 +182,7 @@ void workspaceWidgets(const Part& part) {
       changed = true;
     }
   }
-  if (changed) keep(part, now);
+  if (changed) saveDeviceSettings(part, now);
   ImGui::TreePop();
 }
 
@@ -193,11 +193,11 @@ void useCalibration(const Part& part, const device::Calibration& found) {
   now.scale = found.frame.mm;
   now.turn_deg = device::turnOf(found.frame.axes);
   now.origin_mm = found.frame.origin_mm;
-  keep(part, now);
+  saveDeviceSettings(part, now);
   part.calibration() = {};
 }
 
-void takeWidgets(const Part& part) {
+void calibrationPlaceWidgets(const Part& part) {
   CalibrationSteps& steps = part.calibration();
   remark(
       trf("Place {} of {}: click it on the body, hold the tip there, take it. The finger stays where it is, "
@@ -229,7 +229,7 @@ void calibrationWidgets(const Part& part) {
     if (part.button("use", "Use it")) return useCalibration(part, *steps.found);
     ImGui::SameLine();
   } else {
-    takeWidgets(part);
+    calibrationPlaceWidgets(part);
   }
   if (part.button("stop_calibrating", "Leave it")) steps = {};
 }

@@ -7,7 +7,7 @@ namespace palpate::viewer {
 
 namespace {
 
-void listOf(const DysfunctionEdit& edit) {
+void drawDysfunctionList(const DysfunctionEdit& edit) {
   const auto& items = edit.items;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string line =
@@ -19,7 +19,7 @@ void listOf(const DysfunctionEdit& edit) {
   if (items.empty()) remark("None: every place is as it should be.");
 }
 
-void fieldsOf(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::string& name) {
+void drawFields(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::string& name) {
   slider(edit, item.change_percent,
          {"dysfunctions/change", "change", "%+.0f %%", -100.0, 300.0, 50.0, "Of the stiffness at the centre."},
          trf("change {}", name));
@@ -51,11 +51,11 @@ void dysfunctionPanel(const DysfunctionPanel& panel) {
   editorSwitch("dysfunctions/edit", edit,
                toTranslate("Click the skin to place one, drag to move it, wheel for its size, Shift and wheel for its "
                            "strength, Delete to remove it."));
-  listOf(edit);
+  drawDysfunctionList(edit);
   newField("dysfunctions", edit,
            trf("Where: {}, or so many mm from it. Enter places one, +50 %.", examplePlaces(edit.landmarks)));
-  if (maps::Dysfunction* item = selectedOf(edit)) {
-    fieldsOf(edit, *item, nameOfSelected(edit));
+  if (maps::Dysfunction* item = selectedItem(edit)) {
+    drawFields(edit, *item, nameOfSelected(edit));
     if (buttonWidget("dysfunctions/delete", "Delete")) deleteSelected(edit);
     ImGui::SameLine();
   }

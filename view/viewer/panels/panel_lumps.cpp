@@ -9,7 +9,7 @@ namespace palpate::viewer {
 
 namespace {
 
-void listOf(const LumpEdit& edit) {
+void drawLumpList(const LumpEdit& edit) {
   const auto& items = edit.items;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const double wide_mm = 2.0 * items[i].halfAxes().x();
@@ -63,7 +63,7 @@ void mobilityField(const LumpEdit& edit, scene::LumpSettings& item, const std::s
   if (item.mobility_mm_per_n < kLeastMobility) item.mobility_mm_per_n = 0.0;
 }
 
-void fieldsOf(const LumpEdit& edit, scene::LumpSettings& item, const std::string& name) {
+void drawFields(const LumpEdit& edit, scene::LumpSettings& item, const std::string& name) {
   placeField("lumps", edit, item, name);
   sizeField(edit, item, name);
   slider(edit, item.depth_mm,
@@ -90,11 +90,11 @@ void lumpPanel(const LumpPanel& panel) {
   editorSwitch("lumps/edit", edit,
                toTranslate("Click the skin to place one, drag to move it, wheel for its size, Shift and wheel for its "
                            "hardness, Delete to remove it."));
-  listOf(edit);
+  drawLumpList(edit);
   newField("lumps", edit,
            trf("Where: {}, or so many mm from it. Enter places a lump of 10 mm.", examplePlaces(edit.landmarks)));
-  if (scene::LumpSettings* item = selectedOf(edit)) {
-    fieldsOf(edit, *item, nameOfSelected(edit));
+  if (scene::LumpSettings* item = selectedItem(edit)) {
+    drawFields(edit, *item, nameOfSelected(edit));
     if (buttonWidget("lumps/delete", "Delete")) deleteSelected(edit);
     ImGui::SameLine();
   }

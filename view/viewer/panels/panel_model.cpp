@@ -13,7 +13,7 @@ namespace palpate::viewer {
 
 namespace {
 
-void factsOf(const WorldFacts& world) {
+void drawWorldFacts(const WorldFacts& world) {
   ImGui::TextWrapped("%s", world.name.c_str());
   valueLine("triangles of the skin", fmt::format("{}", world.triangles));
   valueLine("size", fmt::format("{:.0f} x {:.0f} x {:.0f} mm", world.width_mm, world.height_mm, world.depth_mm));
@@ -101,14 +101,14 @@ void fidelityWidgets(const SceneKeys& keys) {
     }
     ImGui::TreePop();
   }
-  if (changed) keys.output.changed |= consequenceOf("fidelity");
+  if (changed) keys.output.changed |= tableConsequences("fidelity");
 }
 
 }  // namespace
 
 void modelPanel(const ModelPanel& panel, UiOutput& output) {
   const SceneKeys keys{panel.scene, output};
-  factsOf(panel.world);
+  drawWorldFacts(panel.world);
   if (buttonWidget("model/open", "Open ...", "A scene or a mesh; or drop a file on the window.")) {
     panel.open_dialog = true;
   }

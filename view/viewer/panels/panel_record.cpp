@@ -7,7 +7,7 @@
 
 namespace palpate::viewer {
 
-std::string recordingWords(const Recording& recording, double now_s) {
+std::string recordingStatus(const Recording& recording, double now_s) {
   std::string words;
   if (recording.forces) {
     const int seconds = static_cast<int>(now_s - recording.since_s);
@@ -31,7 +31,7 @@ void sessionPart(const Recording& recording, bool& keeps_last_hour, UiOutput& ou
   flagWidget("record/session", "Record the last hour by itself", keeps_last_hour,
              "Every tick of both fingers, in a recording file that a crash leaves readable.");
   if (!recording.viewer) return;
-  const int seconds = static_cast<int>(recording.session_s);
+  const int seconds = static_cast<int>(recording.length_s);
   const std::string recorded = trf("{}:{:02} recorded", seconds / 60, seconds % 60);
   remark(recording.dropped == 0 ? recorded : trf("{}, {} samples missing", recorded, recording.dropped));
   if (buttonWidget("record/keep", recording.keeping ? "Keeping ..." : "Keep the recording (Shift+R)",

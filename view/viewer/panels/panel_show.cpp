@@ -67,7 +67,7 @@ void lookWidgets(const ShowPanel& panel) {
   flagWidget("show/white", "white background", look.white_background, "For papers.");
 }
 
-view::ColourRange& rangeOf(view::Look& look) {
+view::ColourRange& shownRange(view::Look& look) {
   if (look.colouring == view::Colouring::stiffness) return look.stiffness_n_per_mm;
   return look.colouring == view::Colouring::ellipses ? look.half_major_mm : look.strain_percent;
 }
@@ -76,7 +76,7 @@ view::ColourRange& rangeOf(view::Look& look) {
 void rangeWidgets(view::Look& look, const WorldFacts& world) {
   if (look.colouring == view::Colouring::plain) return;
   if (look.colouring == view::Colouring::scalar) return scalarWidgets(look, world);
-  view::ColourRange& range = rangeOf(look);
+  view::ColourRange& range = shownRange(look);
   const bool strain = look.colouring == view::Colouring::strain;
   if (strain) {
     double end = range.high;
@@ -97,11 +97,11 @@ void rangeWidgets(view::Look& look, const WorldFacts& world) {
 }
 
 void overlayWidget(view::Look& look, view::Overlay overlay) {
-  const window::KeyBinding& binding = window::bindingOf(window::actionFor(overlay));
+  const window::KeyBinding& binding = window::findBinding(window::actionFor(overlay));
   bool on = look.shows(overlay);
   const std::string path = fmt::format("show/{}", view::kOverlayNames[static_cast<std::size_t>(overlay)]);
   const std::string label =
-      fmt::format("{}  ({})", tr(std::string(binding.name).c_str()), window::shownNameOf(binding.chord));
+      fmt::format("{}  ({})", tr(std::string(binding.name).c_str()), window::localisedChordName(binding.chord));
   if (flagWidget(path.c_str(), label.c_str(), on, std::string(binding.does).c_str())) {
     look.show(overlay, on);
   }

@@ -68,10 +68,10 @@ void stereoPanel(const StereoPanel& panel) {
   headWidgets(panel.head, panel.seen);
   if (!view::isStereo(stereo.mode)) return;
   const double aspect = 1.6;
-  const view::Eyes eyes = view::eyesOf(panel.camera, stereo, aspect);
+  const view::Eyes eyes = view::placeEyes(panel.camera, stereo, aspect);
   const Vec3 half = 0.5 * Vec3(panel.world.width_mm, panel.world.height_mm, panel.world.depth_mm);
   const Eigen::AlignedBox3d box(panel.camera.centre - half, panel.camera.centre + half);
-  const double worst = view::comfortOf(eyes, stereo.eye_distance_mm, box).worst();
+  const double worst = view::computeComfort(eyes, stereo.eye_distance_mm, box).worst();
   valueLine("squint", fmt::format("{:.2f} deg", worst));
   if (worst > view::kComfortableDeg)
     remark("More than 1 degree tires the eyes: come less near, or set the eyes closer.");

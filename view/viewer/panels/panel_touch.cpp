@@ -13,7 +13,7 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr auto kPressBy = allWords<device::PressBy>();
+constexpr auto kPressBy = enumNames<device::PressBy>();
 constexpr std::array<std::string_view, kFingers> kFingerChoices = {toTranslate("left (blue)"),
                                                                    toTranslate("right (red)")};
 

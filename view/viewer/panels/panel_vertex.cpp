@@ -19,7 +19,7 @@ namespace palpate::viewer {
 
 namespace {
 
-constexpr auto kColourMaps = allWords<ColourMap>();
+constexpr auto kColourMaps = enumNames<ColourMap>();
 
 ImU32 barColour(const view::Look& look, double value) {
   const view::ColourRange& range = look.scalar_range;

@@ -112,7 +112,7 @@ struct StereoPanel {
 void stereoPanel(const StereoPanel& panel);
 
 /// The running recordings and their lengths: "recording 0:12, 37 pictures"; empty without any.
-std::string recordingWords(const Recording& recording, double now_s);
+std::string recordingStatus(const Recording& recording, double now_s);
 /// `keeps_last_hour` is switched by it.
 void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, UiOutput& output);
 void performancePanel(const Performance& performance);
@@ -197,7 +197,7 @@ bool closeMenus();
 /// UiOutput before a loss; the answer is a request.
 void questionDialog(const std::optional<Question>& question, UiOutput& output);
 /// Text in the colour of its severity.
-void severeWords(Severity severity, const std::string& words);
+void drawSeverityText(Severity severity, const std::string& words);
 void messageList(Messages& messages, bool& open);
 void toast(Messages& messages, double now_s, const FreeArea& free);
 void buildProgress(const std::optional<engine::BuildProgress>& building, const FreeArea& free, UiOutput& output);

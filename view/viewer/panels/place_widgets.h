@@ -58,7 +58,7 @@ void placeField(const std::string& panel, const PlaceEdit<Item>& edit, Item& ite
     edit.output.changed |= kMapChange;
     edit.output.step = trf("move {}", name);
   } catch (const Error& error) {
-    edit.output.tell(Severity::warning, error.what());
+    edit.output.report(Severity::warning, error.what());
   }
 }
 
@@ -77,7 +77,7 @@ void newField(const std::string& panel, const PlaceEdit<Item>& edit, const std::
     placeAt(edit, body::placeNamed(edit.landmarks, view::placeInEnglish(edit.landmarks, typed)));
     typed.clear();
   } catch (const Error& error) {
-    edit.output.tell(Severity::warning, error.what());
+    edit.output.report(Severity::warning, error.what());
   }
 }
 

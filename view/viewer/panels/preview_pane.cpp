@@ -21,7 +21,7 @@ void PreviewPane::follow() {
   }
   if (chosen_.empty() || of_ == chosen_ || work_.busy()) return;
   working_on_ = chosen_;
-  work_.start([file = chosen_] { return previewOf(file); });
+  work_.start([file = chosen_] { return previewFile(file); });
 }
 
 void PreviewPane::draw() {

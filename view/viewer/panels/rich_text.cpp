@@ -18,7 +18,7 @@ constexpr float kIndent = 20.0f;  ///< for a list, points
 ImU32 linkInk() { return isLightTheme() ? IM_COL32(20, 80, 190, 255) : IM_COL32(130, 180, 255, 255); }
 ImU32 strongInk() { return isLightTheme() ? IM_COL32(0, 0, 0, 255) : IM_COL32(255, 225, 170, 255); }
 
-ImU32 inkOf(Inline::Kind kind) {
+ImU32 inlineInk(Inline::Kind kind) {
   if (kind == Inline::Kind::link) return linkInk();
   return kind == Inline::Kind::strong ? strongInk() : ImGui::GetColorU32(ImGuiCol_Text);
 }
@@ -57,7 +57,7 @@ class Flow {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (words.kind == Inline::Kind::code) list.AddRectFilled(at, high, ImGui::GetColorU32(ImGuiCol_FrameBg), 2.0f);
     if (words.kind == Inline::Kind::link) link(words, at, high);
-    list.AddText(font, size, at, inkOf(words.kind), word.data(), end);
+    list.AddText(font, size, at, inlineInk(words.kind), word.data(), end);
     x_ += extent.x;
   }
   void newLine() {
@@ -80,7 +80,7 @@ class Flow {
   std::string clicked_;
 };
 
-std::string flowOf(const Inlines& words) {
+std::string drawInlines(const Inlines& words) {
   Flow flow;
   for (const Inline& part : words) flow.add(part);
   return flow.finish();
@@ -89,9 +89,9 @@ std::string flowOf(const Inlines& words) {
 std::string headingBlock(const Block& block, const std::string& to_anchor) {
   constexpr std::array<float, 4> kScales = {1.5f, 1.25f, 1.1f, 1.0f};
   ImGui::Spacing();
-  if (!to_anchor.empty() && anchorOf(plainText(block.words)) == to_anchor) ImGui::SetScrollHereY(0.0f);
+  if (!to_anchor.empty() && headingAnchor(plainText(block.words)) == to_anchor) ImGui::SetScrollHereY(0.0f);
   ImGui::SetWindowFontScale(kScales.at(static_cast<std::size_t>(std::clamp(block.level, 1, 4) - 1)));
-  const std::string clicked = flowOf(block.words);
+  const std::string clicked = drawInlines(block.words);
   ImGui::SetWindowFontScale(1.0f);
   if (block.level <= 2) ImGui::Separator();
   return clicked;
@@ -141,7 +141,7 @@ std::string tableBlock(const Block& block, int number) {
     ImGui::TableNextRow();
     for (const Inlines& cell : row) {
       ImGui::TableNextColumn();
-      if (std::string target = flowOf(cell); !target.empty()) clicked = std::move(target);
+      if (std::string target = drawInlines(cell); !target.empty()) clicked = std::move(target);
     }
   }
   ImGui::EndTable();
@@ -153,7 +153,7 @@ std::string itemBlock(const Block& block) {
   ImGui::Indent(indent + 1.0f);
   ImGui::TextUnformatted(block.marker == "-" ? "\xC2\xB7" : block.marker.c_str());  // a middle dot
   ImGui::SameLine(0.0f, 8.0f);
-  const std::string clicked = flowOf(block.words);
+  const std::string clicked = drawInlines(block.words);
   ImGui::Unindent(indent + 1.0f);
   return clicked;
 }
@@ -161,7 +161,7 @@ std::string itemBlock(const Block& block) {
 std::string paragraphBlock(const Block& block) {
   const float indent = kIndent * static_cast<float>(block.level) + 1.0f;
   ImGui::Indent(indent);
-  const std::string clicked = flowOf(block.words);
+  const std::string clicked = drawInlines(block.words);
   ImGui::Unindent(indent);
   ImGui::Spacing();
   return clicked;

@@ -69,7 +69,7 @@ struct ActivityChoice {
   const char* package;  ///< package that has it
 };
 
-std::string whatOf(const ActivityChoice& choice, const ActivityState& state, bool awaited) {
+std::string describeActivity(const ActivityChoice& choice, const ActivityState& state, bool awaited) {
   switch (state.kind) {
     case ActivityState::Kind::missing:
       return trf("Not here: install the package {}", choice.package);
@@ -85,9 +85,9 @@ std::string whatOf(const ActivityChoice& choice, const ActivityState& state, boo
 /// True when it should open in this window. A choice that is being built can be awaited, and cancelled.
 bool activityChoice(const ActivityChoice& choice, const StartPage& page, bool& open, UiOutput& output) {
   using Kind = ActivityState::Kind;
-  const ActivityState& state = stateOf(choice.activity, page.activities);
+  const ActivityState& state = activityState(choice.activity, page.activities);
   const bool awaited = page.awaited == choice.activity;
-  const std::string what = whatOf(choice, state, awaited);
+  const std::string what = describeActivity(choice, state, awaited);
   const bool pressed = choiceButton({choice.path, choice.title, what, state.kind != Kind::missing});
   if (state.kind == Kind::being_built) {
     if (pressed) page.awaited = awaited ? std::nullopt : std::optional(choice.activity);

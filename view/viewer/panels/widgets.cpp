@@ -74,7 +74,7 @@ std::string withDecimalSign(std::string words) {
   return words;
 }
 
-std::string numberWords(double value, const char* format) {
+std::string formatNumber(double value, const char* format) {
   std::array<char, 64> text{};
   ImGui::DataTypeFormatString(text.data(), static_cast<int>(text.size()), ImGuiDataType_Double, &value, format);
   return withDecimalSign(text.data());
@@ -84,10 +84,10 @@ std::string numberWords(double value, const char* format) {
 SliderResult slider(double& value, const SliderLook& look) {
   constexpr float kNumber = 62.0f;  // room for most of them, so that tracks begin below each other
   constexpr float kMinTrack = 40.0f;
-  const std::string words = numberWords(value, look.format);
+  const std::string words = formatNumber(value, look.format);
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float column = std::max({kNumber, ImGui::CalcTextSize(numberWords(look.low, look.format).c_str()).x,
-                                 ImGui::CalcTextSize(numberWords(look.high, look.format).c_str()).x});
+  const float column = std::max({kNumber, ImGui::CalcTextSize(formatNumber(look.low, look.format).c_str()).x,
+                                 ImGui::CalcTextSize(formatNumber(look.high, look.format).c_str()).x});
   const float track = std::max(kMinTrack, ImGui::CalcItemWidth() - column - gap);
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
@@ -182,10 +182,10 @@ bool setTo(const SceneKeys& keys, const KeyWidget& widget, const std::string& va
   try {
     scene::setKey(keys.scene, widget.table, widget.key, value);
   } catch (const Error& error) {
-    keys.output.tell(Severity::warning, error.what());
+    keys.output.report(Severity::warning, error.what());
     return false;
   }
-  keys.output.changed |= consequenceOf(widget.table);
+  keys.output.changed |= tableConsequences(widget.table);
   return true;
 }
 
@@ -198,7 +198,7 @@ WidgetPlaces& widgetPlaces() {
 
 void notePlace(const std::string& path, std::string_view words) {
   notePlaceOnly(path);
-  tooltip(std::string(words.empty() ? controlWords(path) : words));
+  tooltip(std::string(words.empty() ? controlTooltip(path) : words));
 }
 
 void notePlaceOnly(const std::string& path) {

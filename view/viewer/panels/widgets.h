@@ -21,14 +21,14 @@ namespace palpate::viewer {
 using WidgetPlaces = std::map<std::string, std::array<float, 4>>;
 WidgetPlaces& widgetPlaces();
 
-/// Notes the control that was drawn last, with this explanation or that of its row of controlWords (below).
+/// Notes the control that was drawn last, with this explanation or that of its row of controlTooltip (below).
 void notePlace(const std::string& path, std::string_view words = {});
 /// Notes its place only.
 void notePlaceOnly(const std::string& path);
 /// The tooltip of a control without a text of its own: menus, buttons, fields. A number shows its range itself, a key
 /// of the scene file the text of the file's reference, an item of the table of keys its sentence. By the control's
 /// path; empty without a row (control_words.cpp).
-std::string_view controlWords(std::string_view path);
+std::string_view controlTooltip(std::string_view path);
 /// Notes the current window.
 void notePlaceOfWindow(const std::string& path);
 

@@ -58,7 +58,7 @@ double greatest(const std::vector<Extent>& extents) {
   return most;
 }
 
-Columns columnsOf(const PlotStrips& panel, float width) {
+Columns gatherColumns(const PlotStrips& panel, float width) {
   Columns columns{panel.plots.shownEnd(), panel.plots.window_s, static_cast<std::size_t>(std::max(1.0f, width)), {}};
   for (std::size_t f = 0; f < 2; ++f) {
     columns.marks[f] = panel.plots.fingers[f].marks(columns.end_s, columns.window_s, columns.count);
@@ -67,7 +67,7 @@ Columns columnsOf(const PlotStrips& panel, float width) {
 }
 
 /// One finger's sample at a time; null without one, or where the history has lost it.
-const PlotSample* sampleOf(const PlotStrips& panel, std::size_t finger, double time_s) {
+const PlotSample* findSample(const PlotStrips& panel, std::size_t finger, double time_s) {
   return panel.present[finger] ? panel.plots.felt(finger, time_s) : nullptr;
 }
 
@@ -75,7 +75,7 @@ const PlotSample* sampleOf(const PlotStrips& panel, std::size_t finger, double t
 void drawReadouts(const PlotStrips& panel, const PlotArea& area, PlotValue value) {
   float right = area.high.x;
   for (std::size_t f = panel.present.size(); f-- > 0;) {
-    const PlotSample* sample = sampleOf(panel, f, panel.timeShown());
+    const PlotSample* sample = findSample(panel, f, panel.timeShown());
     if (sample == nullptr) continue;
     const std::string words = fmt::format("{:.2f}", WrittenNumber{valueOf(*sample, value)});
     right -= ImGui::CalcTextSize(words.c_str()).x;
@@ -96,7 +96,7 @@ void drawTitle(const PlotStrips& panel, const PlotArea& area, const Strip& strip
 /// A strip's curve of each finger.
 using Curves = std::array<std::vector<Extent>, 2>;
 
-Curves curvesOf(const PlotStrips& panel, PlotValue value, const Columns& columns) {
+Curves collectCurves(const PlotStrips& panel, PlotValue value, const Columns& columns) {
   Curves curves;
   for (std::size_t f = 0; f < 2; ++f) {
     curves[f] = panel.plots.fingers[f].columns(value, columns.end_s, columns.window_s, columns.count);
@@ -124,15 +124,17 @@ void drawCurves(const PlotStrips& panel, const Columns& columns, const Curves& c
 void drawStrip(const PlotStrips& panel, std::size_t index, const Columns& columns, const PlotArea& area) {
   const Strip& strip = kStrips[index];
   const bool force = strip.value == PlotValue::force;
-  const Curves main = curvesOf(panel, strip.value, columns);
+  const Curves main = collectCurves(panel, strip.value, columns);
   double most = 0.0;
   for (const auto& curve : main) most = std::max(most, greatest(curve));  // a force's parts are no greater
   const double end = steadyEnd(index, axisEnd(1.05 * most, strip.least), panel.now_s);
   for (const auto& marks : columns.marks) shadeTouching(marks, area);
   drawPlotAxes(area, end, columns.window_s);
   if (force) {
-    drawCurves(panel, columns, curvesOf(panel, PlotValue::tangential_force, columns), {kPartOpacity, true}, area, end);
-    drawCurves(panel, columns, curvesOf(panel, PlotValue::normal_force, columns), {kPartOpacity, false}, area, end);
+    drawCurves(panel, columns, collectCurves(panel, PlotValue::tangential_force, columns), {kPartOpacity, true}, area,
+               end);
+    drawCurves(panel, columns, collectCurves(panel, PlotValue::normal_force, columns), {kPartOpacity, false}, area,
+               end);
     drawPlotLimit(area, panel.device_limit_n, end);
     for (std::size_t f = 0; f < 2; ++f) drawEvents(columns.marks[f], area, f);
   }
@@ -195,7 +197,7 @@ void drawValuesAt(const PlotStrips& panel, std::span<const PlotArea> areas, doub
     if (!x) continue;
     float top = area.low.y + kAway;
     for (std::size_t f = 0; f < panel.present.size(); ++f) {
-      const PlotSample* sample = sampleOf(panel, f, time_s);
+      const PlotSample* sample = findSample(panel, f, time_s);
       if (sample == nullptr) continue;
       const std::string words = fmt::format("{:.2f}", WrittenNumber{valueOf(*sample, kStrips[i].value)});
       const ImVec2 size = ImGui::CalcTextSize(words.c_str());
@@ -257,7 +259,7 @@ void strips(const PlotStrips& panel, std::span<const PlotArea> areas) {
   for (const PlotArea& area : areas) {
     if (ImGui::IsWindowHovered() && area.holds(ImGui::GetIO().MousePos)) useMouse(panel, area);
   }
-  const Columns columns = columnsOf(panel, areas.front().width());
+  const Columns columns = gatherColumns(panel, areas.front().width());
   for (std::size_t i = 0; i < areas.size(); ++i) {
     drawStrip(panel, i, columns, areas[i]);
     drawTitle(panel, areas[i], kStrips[i]);

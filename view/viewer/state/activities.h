@@ -23,7 +23,7 @@ struct ActivityState {
 /// One of each Activity.
 using Activities = std::array<ActivityState, 3>;
 
-constexpr const ActivityState& stateOf(Activity activity, const Activities& activities) {
+constexpr const ActivityState& activityState(Activity activity, const Activities& activities) {
   return activities[static_cast<std::size_t>(activity)];
 }
 

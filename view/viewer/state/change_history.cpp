@@ -28,7 +28,7 @@ bool isHabit(std::string_view line) {
                       [&](std::string_view name) { return line.starts_with(name); });
 }
 
-std::string habitsOf(const ViewState& state, const std::vector<tissue::ProfileKnot>& drawn) {
+std::string formatHabits(const ViewState& state, const std::vector<tissue::ProfileKnot>& drawn) {
   std::string habits;
   const std::string all = stateAsToml({state, {}});
   for (const std::string_view line : split(all, '\n')) {
@@ -38,11 +38,11 @@ std::string habitsOf(const ViewState& state, const std::vector<tissue::ProfileKn
   return habits;
 }
 
-SessionSnapshot snapshotOf(const ViewerState& viewer) {
+SessionSnapshot makeSnapshot(const ViewerState& viewer) {
   SessionSnapshot snapshot{
       .scene = viewer.scene, .state = viewer.state, .drawn = viewer.profile.drawn, .document = sceneAsChanged(viewer)};
   snapshot.document_text = scene::sceneAsToml(snapshot.document);
-  snapshot.habits = habitsOf(snapshot.state, snapshot.drawn);
+  snapshot.habits = formatHabits(snapshot.state, snapshot.drawn);
   return snapshot;
 }
 
@@ -84,7 +84,7 @@ std::string wordsFor(const SessionSnapshot& was, const SessionSnapshot& is) {
 }  // namespace
 
 void ChangeHistory::begin(const ViewerState& viewer) {
-  now_ = snapshotOf(viewer);
+  now_ = makeSnapshot(viewer);
   saved_ = now_;
   steps_.clear();
   by_widget_ = false;
@@ -100,7 +100,7 @@ void ChangeHistory::follow(ViewerState& viewer, const Stir& stir) {
 
 /// The depth of a press, the only habit that a hand on the body changes, is part of touching, not a step.
 void ChangeHistory::settle(ViewerState& viewer) {
-  SessionSnapshot is = snapshotOf(viewer);
+  SessionSnapshot is = makeSnapshot(viewer);
   std::string words = std::exchange(words_, {});
   const bool habit = is.habits != now_.habits;
   if (is.document_text == now_.document_text && !habit) return;
@@ -110,7 +110,7 @@ void ChangeHistory::settle(ViewerState& viewer) {
 }
 
 void ChangeHistory::saved(const ViewerState& viewer) {
-  now_ = snapshotOf(viewer);
+  now_ = makeSnapshot(viewer);
   saved_ = now_;
 }
 
@@ -119,14 +119,14 @@ bool ChangeHistory::sceneChanged() const { return scene::sceneAsToml(now_.scene)
 void ChangeHistory::undo(ViewerState& viewer) {
   settle(viewer);
   if (!steps_.canUndo()) return viewer.report(Severity::info, "Nothing to undo");
-  viewer.report(Severity::info, trf("Undo: {}", steps_.undoWords()));
+  viewer.report(Severity::info, trf("Undo: {}", steps_.undoLabel()));
   restore(steps_.undo(now_), viewer);
 }
 
 void ChangeHistory::redo(ViewerState& viewer) {
   settle(viewer);
   if (!steps_.canRedo()) return viewer.report(Severity::info, "Nothing to redo");
-  viewer.report(Severity::info, trf("Redo: {}", steps_.redoWords()));
+  viewer.report(Severity::info, trf("Redo: {}", steps_.redoLabel()));
   restore(steps_.redo(now_), viewer);
 }
 
@@ -142,7 +142,7 @@ void ChangeHistory::reset(ViewerState& viewer) {
 
 void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
   for (const scene::Difference& difference : scene::differences(viewer.scene, to.scene)) {
-    viewer.output.changed |= consequenceOf(difference.table);
+    viewer.output.changed |= tableConsequences(difference.table);
   }
   viewer.scene = std::move(to.scene);
   ViewState& state = viewer.state;
@@ -166,10 +166,10 @@ void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
     viewer.request(UseProfile{});
   }
   profile.drawn = std::move(to.drawn);
-  now_ = snapshotOf(viewer);
+  now_ = makeSnapshot(viewer);
 }
 
-std::uint32_t consequenceOf(std::string_view table) {
+std::uint32_t tableConsequences(std::string_view table) {
   if (table == "body") return kBodyChange;
   if (table == "friction" || table == "device") return kFingerChange;
   if (table == "tissue") return kFingerChange | kMapChange;   // relaxation belongs to the finger

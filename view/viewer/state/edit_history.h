@@ -31,8 +31,8 @@ class EditHistory {
 
   bool canUndo() const { return !undo_.empty(); }
   bool canRedo() const { return !redo_.empty(); }
-  std::string undoWords() const { return undo_.empty() ? std::string() : undo_.back().words; }
-  std::string redoWords() const { return redo_.empty() ? std::string() : redo_.back().words; }
+  std::string undoLabel() const { return undo_.empty() ? std::string() : undo_.back().words; }
+  std::string redoLabel() const { return redo_.empty() ? std::string() : redo_.back().words; }
 
   /// The value from before the step; `now` is kept for redo. Without a step it is `now`.
   Value undo(Value now) { return swap(undo_, redo_, std::move(now)); }

@@ -59,14 +59,14 @@ view::Camera centredInFreePart(const view::Camera& camera, const Vec3& place, co
   return movedAside(view::centredOn(camera, place), freePart(shown, size_points));
 }
 
-view::Camera viewOf(const Eigen::AlignedBox3d& box, const Shown& shown, view::StandardView side,
-                    const Vec2& size_points) {
+view::Camera fitToFreePart(const Eigen::AlignedBox3d& box, const Shown& shown, view::StandardView side,
+                           const Vec2& size_points) {
   const FreePart part = freePart(shown, size_points);
   return intoPart(view::fitted(box, part.size.x() / part.size.y(), side), part);
 }
 
 view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points) {
-  return viewOf(mesh::boundingBox(world.body->skin), shown, side, size_points);
+  return fitToFreePart(mesh::boundingBox(world.body->skin), shown, side, size_points);
 }
 
 namespace {
@@ -97,7 +97,7 @@ bool says(const scene::Scene& scene, std::span<const std::string_view> keys) {
 
 }  // namespace
 
-bool takeSceneLook(const scene::World& world, ViewerState& viewer, const Vec2& size_points) {
+bool applySceneLook(const scene::World& world, ViewerState& viewer, const Vec2& size_points) {
   ViewState& state = viewer.state;
   const FreePart part = freePart(state.shown, size_points);
   const view::PictureSettings said = view::pictureSettings(world, part.size.x() / part.size.y());

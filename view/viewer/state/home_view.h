@@ -10,18 +10,18 @@ namespace palpate::viewer {
 
 view::Camera homeView(const scene::World& world, const Shown& shown, view::StandardView side, const Vec2& size_points);
 /// The same for a part of it.
-view::Camera viewOf(const Eigen::AlignedBox3d& box, const Shown& shown, view::StandardView side,
-                    const Vec2& size_points);
+view::Camera fitToFreePart(const Eigen::AlignedBox3d& box, const Shown& shown, view::StandardView side,
+                           const Vec2& size_points);
 
 /// The same camera with a place in the middle of the free part, about which it turns.
 view::Camera centredInFreePart(const view::Camera& camera, const Vec3& place, const Shown& shown,
                                const Vec2& size_points);
 
-/// The camera of a picture of just the free part, as scenes store it. takeSceneLook is the inverse.
+/// The camera of a picture of just the free part, as scenes store it. applySceneLook is the inverse.
 view::Camera cameraOfFreePart(const view::Camera& camera, const Shown& shown, const Vec2& size_points);
 
 /// Adopts camera, look, stereo and head as far as the scene sets them; the rest stays the user's. True if the camera
 /// was among them: it then covers the part that panels and plots leave free, as homeView does.
-bool takeSceneLook(const scene::World& world, ViewerState& viewer, const Vec2& size_points);
+bool applySceneLook(const scene::World& world, ViewerState& viewer, const Vec2& size_points);
 
 }  // namespace palpate::viewer

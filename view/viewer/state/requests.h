@@ -29,7 +29,7 @@ enum Consequence : std::uint32_t {
   kBodyChange = 4,    ///< the body itself
 };
 /// The consequences of a key of this table of the scene file.
-std::uint32_t consequenceOf(std::string_view table);
+std::uint32_t tableConsequences(std::string_view table);
 
 // Actions that only the viewer can do. `sure`: losses and overwriting are accepted.
 
@@ -193,7 +193,7 @@ struct UiOutput {
 
   void request(Request request) { requests.push_back(std::move(request)); }
   void act(window::Action action) { actions.push_back(action); }
-  void tell(Severity severity, std::string text) { words.push_back({severity, std::move(text)}); }
+  void report(Severity severity, std::string text) { words.push_back({severity, std::move(text)}); }
 };
 
 }  // namespace palpate::viewer

@@ -51,7 +51,7 @@ double alongSkinMm(const Ruler& ruler) {
   return length;
 }
 
-std::string rulerWords(const Ruler& ruler) {
+std::string formatRuler(const Ruler& ruler) {
   if (ruler.ends.size() < 2) return {};
   const Vec3 by = ruler.ends[1].point - ruler.ends[0].point;
   return trf("{:.1f} mm straight, {:.1f} mm along the skin\nx {:+.1f}  y {:+.1f}  z {:+.1f} mm", straightMm(ruler),

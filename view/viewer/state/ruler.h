@@ -25,7 +25,7 @@ double straightMm(const Ruler& ruler);
 double alongSkinMm(const Ruler& ruler);
 
 /// Its result for two ends; empty before.
-std::string rulerWords(const Ruler& ruler);
+std::string formatRuler(const Ruler& ruler);
 /// The line over the skin and its ends.
 std::vector<view::Lines> rulerLines(const Ruler& ruler);
 

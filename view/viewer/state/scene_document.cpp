@@ -23,32 +23,32 @@ constexpr double kMaxPitchDeg = 89.0;  // limit of [view]
 
 /// Sets `kept` to `is` if that has changed.
 template <class T>
-void keepChange(const T& was, const T& is, T& kept) {
+void storeIfChanged(const T& was, const T& is, T& kept) {
   if (!(was == is)) kept = is;
 }
 
-void keepRange(const view::ColourRange& was, const view::ColourRange& is, std::optional<Vec2>& kept) {
+void storeRangeIfChanged(const view::ColourRange& was, const view::ColourRange& is, std::optional<Vec2>& kept) {
   if (was.low != is.low || was.high != is.high) kept = Vec2(is.low, is.high);
 }
 
-void keepLook(const view::Look& was, const view::Look& is, scene::Scene& scene) {
+void storeLookChanges(const view::Look& was, const view::Look& is, scene::Scene& scene) {
   scene::ViewSettings& view = scene.view;
-  keepChange(was.shading, is.shading, view.shading);
-  keepChange(was.colouring, is.colouring, view.colours);
-  keepChange(was.skin_opacity, is.skin_opacity, view.opacity);
-  keepChange(was.skin_tone, is.skin_tone, view.skin_tone);
-  keepChange(was.dent_contrast, is.dent_contrast, view.dent_contrast);
-  keepChange(was.finger, is.finger, view.finger);
-  keepChange(was.lens, is.lens, view.lens);
-  keepChange(was.white_background, is.white_background, view.white_background);
-  keepChange(was.texture, is.texture, view.texture);
-  keepChange(was.detail, is.detail, view.detail);
-  keepChange(was.scalar, is.scalar, view.scalar);
-  keepChange(was.scalar_map, is.scalar_map, view.scalar_map);
-  keepRange(was.scalar_range, is.scalar_range, view.scalar_range);
-  keepRange(was.stiffness_n_per_mm, is.stiffness_n_per_mm, view.stiffness_range_n_per_mm);
-  keepRange(was.half_major_mm, is.half_major_mm, view.ellipse_range_mm);
-  keepChange(was.strain_percent.high, is.strain_percent.high, scene.strain.range_percent);
+  storeIfChanged(was.shading, is.shading, view.shading);
+  storeIfChanged(was.colouring, is.colouring, view.colours);
+  storeIfChanged(was.skin_opacity, is.skin_opacity, view.opacity);
+  storeIfChanged(was.skin_tone, is.skin_tone, view.skin_tone);
+  storeIfChanged(was.dent_contrast, is.dent_contrast, view.dent_contrast);
+  storeIfChanged(was.finger, is.finger, view.finger);
+  storeIfChanged(was.lens, is.lens, view.lens);
+  storeIfChanged(was.white_background, is.white_background, view.white_background);
+  storeIfChanged(was.texture, is.texture, view.texture);
+  storeIfChanged(was.detail, is.detail, view.detail);
+  storeIfChanged(was.scalar, is.scalar, view.scalar);
+  storeIfChanged(was.scalar_map, is.scalar_map, view.scalar_map);
+  storeRangeIfChanged(was.scalar_range, is.scalar_range, view.scalar_range);
+  storeRangeIfChanged(was.stiffness_n_per_mm, is.stiffness_n_per_mm, view.stiffness_range_n_per_mm);
+  storeRangeIfChanged(was.half_major_mm, is.half_major_mm, view.ellipse_range_mm);
+  storeIfChanged(was.strain_percent.high, is.strain_percent.high, scene.strain.range_percent);
   if (was.overlays == is.overlays) return;
   view.show.clear();
   for (std::size_t i = 0; i < view::kOverlays; ++i) {
@@ -56,11 +56,11 @@ void keepLook(const view::Look& was, const view::Look& is, scene::Scene& scene) 
   }
 }
 
-void keepStereo(const view::StereoSettings& was, const view::StereoSettings& is, scene::ViewSettings& view) {
-  keepChange(was.mode, is.mode, view.stereo);
-  keepChange(was.eye_distance_mm, is.eye_distance_mm, view.eye_distance_mm);
-  keepChange(was.convergence_mm, is.convergence_mm, view.convergence_mm);
-  keepChange(was.swap_eyes, is.swap_eyes, view.swap_eyes);
+void storeStereoChanges(const view::StereoSettings& was, const view::StereoSettings& is, scene::ViewSettings& view) {
+  storeIfChanged(was.mode, is.mode, view.stereo);
+  storeIfChanged(was.eye_distance_mm, is.eye_distance_mm, view.eye_distance_mm);
+  storeIfChanged(was.convergence_mm, is.convergence_mm, view.convergence_mm);
+  storeIfChanged(was.swap_eyes, is.swap_eyes, view.swap_eyes);
 }
 
 double rounded(double value, double steps) { return std::round(value * steps) / steps; }
@@ -71,7 +71,7 @@ std::string textOf(const fs::path& file) {
   return readFile(file, scene::kMaxSceneBytes);
 }
 
-void writeWords(const fs::path& file, const std::string& text) {
+void writeText(const fs::path& file, const std::string& text) {
   OutputFile out(file);
   out.write(text);
   out.commit();
@@ -79,7 +79,7 @@ void writeWords(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-SceneDocument documentOf(const fs::path& file) {
+SceneDocument loadDocument(const fs::path& file) {
   if (file.empty()) return {};
   try {
     return {fs::absolute(file).lexically_normal(), textOf(file)};
@@ -99,7 +99,7 @@ bool wouldOverwrite(const SceneDocument& document, const fs::path& target) {
   }
 }
 
-void keepCamera(const ViewerState& viewer, scene::ViewSettings& view) {
+void storeCamera(const ViewerState& viewer, scene::ViewSettings& view) {
   const view::Camera camera = cameraOfFreePart(viewer.camera, viewer.state.shown, viewer.size_points);
   const view::Camera plain;                                                 // default angle of view
   const bool rolled = std::abs(camera.roll_rad) > 0.25 * std::numbers::pi;  // only the table's view is
@@ -114,14 +114,14 @@ void keepCamera(const ViewerState& viewer, scene::ViewSettings& view) {
 
 scene::Scene sceneAsChanged(const ViewerState& viewer) {
   scene::Scene scene = viewer.scene;
-  keepLook(viewer.opened.look, viewer.state.look, scene);
-  keepStereo(viewer.opened.stereo, viewer.state.stereo, scene.view);
+  storeLookChanges(viewer.opened.look, viewer.state.look, scene);
+  storeStereoChanges(viewer.opened.stereo, viewer.state.stereo, scene.view);
   return scene;
 }
 
 scene::Scene sceneToSave(const ViewerState& viewer) {
   scene::Scene scene = sceneAsChanged(viewer);
-  if (viewer.opened.camera_moved) keepCamera(viewer, scene.view);
+  if (viewer.opened.camera_moved) storeCamera(viewer, scene.view);
   return scene;
 }
 
@@ -131,12 +131,12 @@ SceneWriting writeScene(const scene::Scene& scene, const SceneDocument& document
   auto text = document.text.empty() ? std::nullopt : scene::patchedScene(document.text, scene, file);
   if (!document.text.empty() && !text && file == document.file) {
     writing.kept = withEnding(file, ".bak");
-    writeWords(writing.kept, document.text);
+    writeText(writing.kept, document.text);
   }
   if (!text) text = scene::sceneAsToml(scene, file.parent_path());
   writing.document = {file, *text};
   writing.as_it_was = file == document.file && *text == document.text && fs::exists(file);
-  if (!writing.as_it_was) writeWords(file, *text);
+  if (!writing.as_it_was) writeText(file, *text);
   return writing;
 }
 

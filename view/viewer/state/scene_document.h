@@ -21,7 +21,7 @@ struct SceneDocument {
   std::string title = {};  ///< for a preset, which has no file: "Virtual Haptic Back"; tr() shows it
 };
 /// The document of a scene file; empty for a missing or unreadable one.
-SceneDocument documentOf(const std::filesystem::path& file);
+SceneDocument loadDocument(const std::filesystem::path& file);
 
 /// Whether there is a file at `target` that this document has neither read nor written.
 bool wouldOverwrite(const SceneDocument& document, const std::filesystem::path& target);
@@ -38,7 +38,7 @@ scene::Scene sceneToSave(const ViewerState& viewer);
 /// The same without the camera: turning the body does not change the scene.
 scene::Scene sceneAsChanged(const ViewerState& viewer);
 /// Stores the camera in [view], in hundredths of a degree and tenths of a millimetre.
-void keepCamera(const ViewerState& viewer, scene::ViewSettings& view);
+void storeCamera(const ViewerState& viewer, scene::ViewSettings& view);
 
 struct SceneWriting {
   SceneDocument document;      ///< the document from now on

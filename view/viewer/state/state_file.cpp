@@ -75,11 +75,11 @@ void forEachValue(Remembered& r, const Visitor& visit) {
 
 /// Number of enumerators of an enumeration that a file may name by number.
 template <class E>
-constexpr int countOf(E) {
+constexpr int enumeratorCount(E) {
   return static_cast<int>(WordsOf<E>::kAll.size());
 }
-constexpr int countOf(window::Theme) { return static_cast<int>(window::kThemeNames.size()); }
-constexpr int countOf(window::MousePreset) { return static_cast<int>(window::kMousePresetNames.size()); }
+constexpr int enumeratorCount(window::Theme) { return static_cast<int>(window::kThemeNames.size()); }
+constexpr int enumeratorCount(window::MousePreset) { return static_cast<int>(window::kMousePresetNames.size()); }
 
 /// Windows and heads are never farther away.
 constexpr std::int64_t kMaxPixels = 100'000;
@@ -107,7 +107,7 @@ struct StateReader {
   requires std::is_enum_v<E>
   void operator()(const char* name, E& value) const {
     const std::int64_t read = whole(name, static_cast<int>(value));
-    if (read >= 0 && read < countOf(value)) value = static_cast<E>(read);
+    if (read >= 0 && read < enumeratorCount(value)) value = static_cast<E>(read);
   }
   std::int64_t whole(const char* name, std::int64_t standard) const {
     const scene::TomlNode* node = table.get(name);
@@ -129,7 +129,7 @@ struct Writer {
 };
 
 /// Repairs values of a hand-edited file.
-void keepSensible(Remembered& r) {
+void repairValues(Remembered& r) {
   r.window.width = std::clamp(r.window.width, 320, 16384);
   r.window.height = std::clamp(r.window.height, 240, 16384);
   if (std::ranges::find(languages(), r.state.language, &Language::code) == languages().end()) r.state.language.clear();
@@ -172,7 +172,7 @@ Remembered parseState(std::string_view text, std::string_view name) {
     }
   }
   if (remembered.state.recent.size() > kRecentFiles) remembered.state.recent.resize(kRecentFiles);
-  keepSensible(remembered);
+  repairValues(remembered);
   return remembered;
 }
 

@@ -8,7 +8,7 @@ namespace palpate::viewer {
 
 namespace {
 
-TouchHistory::Moment momentOf(const trace::Sample& sample) {
+TouchHistory::Moment makeEmptyMoment(const trace::Sample& sample) {
   TouchHistory::Moment moment;
   for (std::size_t f = 0; f < kFingers; ++f) {
     moment[f].tick = sample.tick;
@@ -28,7 +28,7 @@ void TouchHistory::clear() {
   first_ = 0;
 }
 
-double TouchHistory::timeOf(std::size_t i) const {
+double TouchHistory::momentTime(std::size_t i) const {
   return moments_.empty() ? 0.0 : static_cast<double>(moment(i)[0].tick) * tick_s_;
 }
 
@@ -39,7 +39,7 @@ void TouchHistory::add(const trace::Sample& sample) {
     moments_[newest][sample.finger] = sample;
     return;
   }
-  Moment moment = momentOf(sample);
+  Moment moment = makeEmptyMoment(sample);
   moment[sample.finger] = sample;
   if (moments_.size() < most_) {
     moments_.push_back(moment);
@@ -56,7 +56,7 @@ const TouchHistory::Moment& TouchHistory::at(double time_s) const {
   std::size_t high = moments_.size();
   while (low < high) {
     const std::size_t middle = (low + high) / 2;
-    if (timeOf(middle) <= latest) {
+    if (momentTime(middle) <= latest) {
       low = middle + 1;
     } else {
       high = middle;

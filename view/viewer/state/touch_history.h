@@ -22,8 +22,8 @@ class TouchHistory {
   void clear();
 
   bool empty() const { return moments_.empty(); }
-  double oldestTime() const { return timeOf(0); }
-  double newestTime() const { return timeOf(moments_.size() - 1); }
+  double oldestTime() const { return momentTime(0); }
+  double newestTime() const { return momentTime(moments_.size() - 1); }
   double tick() const { return tick_s_; }
   /// The state at a time: the newest moment that is not later, else the oldest. Must not be empty.
   const Moment& at(double time_s) const;
@@ -37,7 +37,7 @@ class TouchHistory {
 
  private:
   const Moment& moment(std::size_t i) const { return moments_[(first_ + i) % moments_.size()]; }
-  double timeOf(std::size_t i) const;
+  double momentTime(std::size_t i) const;
 
   double tick_s_;
   std::size_t most_;

@@ -30,7 +30,7 @@ VertexReading readVertex(const scene::World& world, const Vec3& place) {
   reading.place = world.body->skin.positions[v];
   reading.stiffness_n_per_mm = (*world.surface.stiffness_n_per_mm)[v];
   const scene::Anatomy& anatomy = world.body->anatomy;
-  reading.where = body::inWords(anatomy.landmarks, place);
+  reading.where = body::describePlace(anatomy.landmarks, place);
   if (!anatomy.depth_mm.empty()) reading.bone_depth_mm = anatomy.depth_mm[v];
   if (!anatomy.nearest_bone.empty()) reading.bone = anatomy.bones[anatomy.nearest_bone[v]].name;
   if (!world.body->channels) return reading;
@@ -51,7 +51,7 @@ view::Lines vertexMark(const VertexReading& reading, const scene::World& world,
   return mark;
 }
 
-std::string useChannelsOf(const scene::World& world, view::Look& look) {
+std::string adoptChannels(const scene::World& world, view::Look& look) {
   const scene::SkinChannels* channels = world.body->channels.get();
   if (channels == nullptr) return {};
   const bool keeps = !look.scalar.empty() && scene::scalarNamed(channels, look.scalar) != nullptr;

@@ -38,6 +38,6 @@ view::Lines vertexMark(const VertexReading& reading, const scene::World& world, 
 
 /// Call for a world that is shown for the first time: the look keeps its scalar if the world has it, else gets the
 /// first. Returns a message to the user; empty when the file has no data.
-std::string useChannelsOf(const scene::World& world, view::Look& look);
+std::string adoptChannels(const scene::World& world, view::Look& look);
 
 }  // namespace palpate::viewer

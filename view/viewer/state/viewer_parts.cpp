@@ -31,7 +31,7 @@ std::string nameOf(const scene::World& world) {
 
 }  // namespace
 
-WorldFacts factsOf(const scene::World& world) {
+WorldFacts collectWorldFacts(const scene::World& world) {
   const Vec3 size = mesh::boundingBox(world.body->skin).sizes();
   const auto [soft, stiff] =
       std::minmax_element(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end());
@@ -48,7 +48,7 @@ WorldFacts factsOf(const scene::World& world) {
           .notes = world.notes,
           .has_picture = world.body->texture != nullptr,
           .channels = world.body->channels,
-          .tissue = scene::inWords(world.tissue),
+          .tissue = scene::describe(world.tissue),
           .landmarks = world.body->anatomy.landmarks};
 }
 

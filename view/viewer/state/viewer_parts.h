@@ -45,7 +45,7 @@ struct Recording {
 
   // The automatic recording.
   bool viewer = false;         ///< it is running
-  double session_s = 0.0;      ///< its length
+  double length_s = 0.0;       ///< its length
   std::uint64_t dropped = 0;   ///< samples lost to a slow disk
   std::size_t marks = 0;       ///< set in this run
   bool keeping = false;        ///< a copy is being written
@@ -67,7 +67,7 @@ struct WorldFacts {
   std::string tissue = {};                                        ///< and its force law, as text
   std::vector<body::SkinLandmark> landmarks = {};                 ///< its named places
 };
-WorldFacts factsOf(const scene::World& world);
+WorldFacts collectWorldFacts(const scene::World& world);
 
 /// The field for the name of a place to go to.
 struct PlaceSearch {

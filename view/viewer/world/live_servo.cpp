@@ -41,15 +41,15 @@ engine::ServoPlan planFor(std::shared_ptr<const scene::World> world, const scene
   return plan;
 }
 
-device::Capabilities abilityOf(const OpenedDevice& opened) {
+device::Capabilities scaledCapabilities(const OpenedDevice& opened) {
   device::Capabilities able = opened.device.capabilities;
   able.motion_scale = opened.workspace.frame.mm;
   return able;
 }
 
-std::vector<device::Capabilities> abilitiesOf(const std::vector<OpenedDevice>& devices) {
+std::vector<device::Capabilities> scaledCapabilities(const std::vector<OpenedDevice>& devices) {
   std::vector<device::Capabilities> able;
-  for (const OpenedDevice& opened : devices) able.push_back(abilityOf(opened));
+  for (const OpenedDevice& opened : devices) able.push_back(scaledCapabilities(opened));
   return able;
 }
 
@@ -99,14 +99,14 @@ void LiveServo::hold(std::size_t finger, OpenedDevice opened, engine::ServoPlan 
   thread_.change(std::move(plan));
 }
 
-void LiveServo::letGo(std::size_t finger, engine::ServoPlan plan) {
+void LiveServo::release(std::size_t finger, engine::ServoPlan plan) {
   leave(finger);
   plan.devices.resize(kFingers);
   plan.devices[finger] = device::mouseDevice(std::string(kFingerNames[finger]), mice_[finger]);
   thread_.change(std::move(plan));
 }
 
-std::vector<device::Device> LiveServo::takeLeaving() {
+std::vector<device::Device> LiveServo::collectReleased() {
   if (leaving_.empty() || !thread_.settled()) return {};
   return std::exchange(leaving_, {});
 }
@@ -114,9 +114,9 @@ std::vector<device::Device> LiveServo::takeLeaving() {
 std::vector<device::Capabilities> LiveServo::abilitiesWith(std::size_t finger, const OpenedDevice* opened) const {
   std::vector<device::Capabilities> devices;
   for (std::size_t i = 0; i < kFingers; ++i) {
-    if (i != finger && held_[i]) devices.push_back(abilityOf(held_[i]->opened));
+    if (i != finger && held_[i]) devices.push_back(scaledCapabilities(held_[i]->opened));
   }
-  if (opened != nullptr) devices.push_back(abilityOf(*opened));
+  if (opened != nullptr) devices.push_back(scaledCapabilities(*opened));
   return devices;
 }
 

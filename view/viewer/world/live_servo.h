@@ -33,8 +33,8 @@ engine::ServoPlan planFor(std::shared_ptr<const scene::World> world, const scene
                           std::span<const device::Capabilities> held = {}, double tick_s = 0.0);
 
 /// Capabilities after its workspace: the source of the limits.
-device::Capabilities abilityOf(const OpenedDevice& opened);
-std::vector<device::Capabilities> abilitiesOf(const std::vector<OpenedDevice>& devices);
+device::Capabilities scaledCapabilities(const OpenedDevice& opened);
+std::vector<device::Capabilities> scaledCapabilities(const std::vector<OpenedDevice>& devices);
 
 /// The radius of a mouse finger of a scene as it is drawn and felt, mm.
 double fingerRadius(const scene::Scene& scene, std::size_t finger);
@@ -53,9 +53,9 @@ class LiveServo {
   /// Gives the finger to the device; an earlier one is released. The plan must have its limits.
   void hold(std::size_t finger, OpenedDevice opened, engine::ServoPlan plan);
   /// Gives the finger back to the mouse.
-  void letGo(std::size_t finger, engine::ServoPlan plan);
+  void release(std::size_t finger, engine::ServoPlan plan);
   /// Released devices that the servo no longer uses: dropping them closes their drivers, which may take some time.
-  std::vector<device::Device> takeLeaving();
+  std::vector<device::Device> collectReleased();
 
   /// Whether a device, not the mouse, has the finger.
   bool isHeld(std::size_t finger) const { return held_[finger].has_value(); }

@@ -29,14 +29,14 @@ void decodePicture(const scene::World& world) {
   if (world.body->texture && !world.body->texture->made) view::decodedPicture(*world.body->texture);
 }
 
-void tellRate(ViewerState& viewer) {
+void reportRateMismatch(ViewerState& viewer) {
   if (std::abs(viewer.scene.ticks_per_s - viewer.ticks_per_s) < 0.5) return;
   viewer.report(Severity::info, trf("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
                                     viewer.ticks_per_s, viewer.scene.ticks_per_s));
 }
 
 /// Gives panel, plots and banner the servo's limits.
-void tellLimits(const engine::ServoPlan& plan, ViewerState& viewer) {
+void publishLimits(const engine::ServoPlan& plan, ViewerState& viewer) {
   DevicesShown& shown = viewer.devices;
   const scene::SafetySettings& safety = plan.world->scene.safety;
   viewer.device_limit_n = plan.limiter.force_n;
@@ -63,7 +63,7 @@ OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like) {
   const std::string kind = inSmallLetters(path.extension().string());
   if (kind == ".toml") {
     // Before it is read: a write in between then leads to a question, not to a loss.
-    SceneDocument document = documentOf(path);
+    SceneDocument document = loadDocument(path);
     return {scene::load(path), std::move(document)};
   }
   scene::Scene scene = like;
@@ -112,7 +112,7 @@ void WorldSwap::open(const scene::Scene& scene, ViewerState& viewer) {
   builder_.request({.scene = scene, .body = nullptr, .read = {}});
 }
 
-void WorldSwap::lay(const scene::Scene& scene, ViewerState& viewer) {
+void WorldSwap::showTemporarily(const scene::Scene& scene, ViewerState& viewer) {
   viewer.scene = scene;
   failure_.clear();
   wanted_ = 0;
@@ -137,7 +137,7 @@ void WorldSwap::advance(ViewerState& viewer, engine::ServoThread& servo) {
     wanted_since_s_ = viewer.now_s;
   }
   requestWhenQuiet(viewer);
-  takeResult(viewer, servo);
+  handleBuildResult(viewer, servo);
   viewer.building = builder_.progress();
 }
 
@@ -150,7 +150,7 @@ void WorldSwap::requestWhenQuiet(ViewerState& viewer) {
   builder_.request(std::move(request));
 }
 
-void WorldSwap::takeResult(ViewerState& viewer, engine::ServoThread& servo) {
+void WorldSwap::handleBuildResult(ViewerState& viewer, engine::ServoThread& servo) {
   const auto result = builder_.take();
   if (!result) return;
   const std::string opened = std::exchange(opening_, {});
@@ -169,7 +169,7 @@ void WorldSwap::takeResult(ViewerState& viewer, engine::ServoThread& servo) {
     viewer.document = *opening_document_;
     viewer.editor = {};
     viewer.lump_editor = {};
-    tellRate(viewer);
+    reportRateMismatch(viewer);
   }
   adopt(viewer, *result, servo);
 }
@@ -179,7 +179,7 @@ void WorldSwap::adopt(ViewerState& viewer, const engine::BuildResult& result, en
   const bool other_body = result.request.body == nullptr || result.world->body != shown_->body;
   try {
     engine::ServoPlan plan = planFor(result.world, viewer.scene, other_body, viewer.held, 1.0 / viewer.ticks_per_s);
-    tellLimits(plan, viewer);
+    publishLimits(plan, viewer);
     servo.change(std::move(plan));
   } catch (const Error& error) {
     failure_ = error.what();
@@ -190,23 +190,23 @@ void WorldSwap::adopt(ViewerState& viewer, const engine::BuildResult& result, en
   other_body_ = other_body_ || result.request.body == nullptr;
 }
 
-engine::ServoPlan WorldSwap::planNow(ViewerState& viewer) const {
+engine::ServoPlan WorldSwap::makePlan(ViewerState& viewer) const {
   const bool other_body = coming_ && (other_body_ || coming_->body != shown_->body);
   engine::ServoPlan plan =
       planFor(coming_ ? coming_ : shown_, viewer.scene, other_body, viewer.held, 1.0 / viewer.ticks_per_s);
-  tellLimits(plan, viewer);
+  publishLimits(plan, viewer);
   return plan;
 }
 
 void WorldSwap::changeFingers(ViewerState& viewer, engine::ServoThread& servo) const {
   try {
-    servo.change(planNow(viewer));
+    servo.change(makePlan(viewer));
   } catch (const Error& error) {
     viewer.report(Severity::warning, error.what());
   }
 }
 
-WorldSwap::Shown WorldSwap::takeShown(engine::ServoThread& servo) {
+WorldSwap::Shown WorldSwap::popShown(engine::ServoThread& servo) {
   servo.exchange();
   if (!coming_ || servo.world() != coming_) return {};
   shown_ = std::exchange(coming_, nullptr);

@@ -34,24 +34,24 @@ class WorldSwap {
   void cancel(ViewerState& viewer);
   /// This scene on the present body, immediately and without a step: for changes that a trial hides. `failure` has the
   /// error of the newest one; empty: none so far.
-  void lay(const scene::Scene& scene, ViewerState& viewer);
+  void showTemporarily(const scene::Scene& scene, ViewerState& viewer);
   const std::string& failure() const { return failure_; }
 
   /// Once a frame: acts on viewer.output.changed. Settings of the fingers go to the servo at once.
   void advance(ViewerState& viewer, engine::ServoThread& servo);
 
   /// The servo's present or next plan, with the limits of viewer.held; for changes of devices. Throws Error.
-  engine::ServoPlan planNow(ViewerState& viewer) const;
+  engine::ServoPlan makePlan(ViewerState& viewer) const;
 
   struct Shown {
     std::shared_ptr<const scene::World> world;  ///< null: none
     bool other_body = false;
   };
   /// The world to show from now on, once the servo has adopted it.
-  Shown takeShown(engine::ServoThread& servo);
+  Shown popShown(engine::ServoThread& servo);
 
  private:
-  void takeResult(ViewerState& viewer, engine::ServoThread& servo);
+  void handleBuildResult(ViewerState& viewer, engine::ServoThread& servo);
   void adopt(ViewerState& viewer, const engine::BuildResult& result, engine::ServoThread& servo);
   void requestWhenQuiet(ViewerState& viewer);
   void changeFingers(ViewerState& viewer, engine::ServoThread& servo) const;

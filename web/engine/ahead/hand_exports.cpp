@@ -33,7 +33,7 @@ HandBytes bytesOf(const body::PalpatingHand& made) {
 
 /// The right hand; the left one is its mirror image in x.
 PALPATE_EXPORT const char* palpate_make_hand() {
-  return errorOf([] { hand = bytesOf(body::makePalpatingHand(body::Side::right)); });
+  return catchError([] { hand = bytesOf(body::makePalpatingHand(body::Side::right)); });
 }
 PALPATE_EXPORT std::size_t palpate_hand_vertices() { return hand.positions.size() / 3; }
 PALPATE_EXPORT const float* palpate_hand_positions() { return hand.positions.data(); }

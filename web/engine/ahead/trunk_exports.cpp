@@ -16,7 +16,7 @@ std::string trunk;
 
 /// `triangles`: of skin and bones, 0 for the trunk's default.
 PALPATE_EXPORT const char* palpate_make_trunk(std::size_t triangles) {
-  return errorOf([&] {
+  return catchError([&] {
     scene::BodySettings settings;
     settings.kind = scene::BodyKind::trunk;
     settings.triangles = triangles;

@@ -32,17 +32,17 @@ using measure::PressRow;
 /// A file's name, or a table itself: a text with a line's end.
 using Table = std::variant<std::string, std::filesystem::path>;
 
-std::vector<PressRow> pressesOf(const Table& table) {
+std::vector<PressRow> loadPresses(const Table& table) {
   const auto* words = std::get_if<std::string>(&table);
   if (words && words->find('\n') != std::string::npos) return measure::parsePresses(*words, "table");
   return measure::readPresses(words ? std::filesystem::path(*words) : std::get<std::filesystem::path>(table));
 }
 
 /// Each of several tables is one person's where its rows do not name a person.
-std::vector<PressRow> pressesOf(const std::vector<Table>& tables) {
+std::vector<PressRow> loadPresses(const std::vector<Table>& tables) {
   std::vector<PressRow> all;
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    for (PressRow& press : pressesOf(tables[i])) {
+    for (PressRow& press : loadPresses(tables[i])) {
       if (press.subject.empty() && tables.size() > 1) press.subject = fmt::format("table {}", i);
       all.push_back(std::move(press));
     }
@@ -52,7 +52,7 @@ std::vector<PressRow> pressesOf(const std::vector<Table>& tables) {
 
 using Drag = std::variant<double, std::string>;
 
-double degreesOf(const Drag& drag) {
+double dragDegrees(const Drag& drag) {
   if (const auto* degrees = std::get_if<double>(&drag)) return *degrees;
   const auto named = measure::dragNamed(std::get<std::string>(drag));
   if (!named) throw py::value_error("drag: degrees, \"up\", \"left\" and so on, not " + std::get<std::string>(drag));
@@ -66,9 +66,9 @@ Averages averaged(const std::vector<Table>& tables, const std::optional<Drag>& d
     throw py::value_error("averaging: \"tensorial\" or \"plain\", not " + averaging);
   }
   if (averaging == "plain") settings.averaging = maps::Averaging::plain;
-  if (drag) settings.drag_deg = degreesOf(*drag);
+  if (drag) settings.drag_deg = dragDegrees(*drag);
   settings.mirrors.assign(mirrors.begin(), mirrors.end());
-  return measure::averagePresses(pressesOf(tables), settings);
+  return measure::averagePresses(loadPresses(tables), settings);
 }
 
 std::vector<measure::StencilSheet> stencil(double spacing_mm, int columns, int rows, double hole_mm,
@@ -115,7 +115,7 @@ void bindMeans(py::module_& module) {
       .def_readonly("drag_deg", &DragMean::drag_deg, "That way, from the right towards the head; None: not said.")
       .def_readonly("mean", &DragMean::mean, "Their mean.")
       .def("__repr__", [](const DragMean& d) {
-        return fmt::format("DragMean({}, {} presses)", d.drag_deg ? measure::dragWords(*d.drag_deg) : "not said",
+        return fmt::format("DragMean({}, {} presses)", d.drag_deg ? measure::dragDirectionName(*d.drag_deg) : "not said",
                            d.mean.presses);
       });
 }

@@ -36,7 +36,7 @@ constexpr double kMaxNullDriftMm = 0.3;
 
 // --- pictures -------------------------------------------------------------------------------------------------------
 
-measure::Photograph photographOf(const py::object& given, const char* what) {
+measure::Photograph loadPhotograph(const py::object& given, const char* what) {
   if (!py::isinstance<py::array>(given)) return measure::readPhotograph(given.cast<std::filesystem::path>());
   const auto any = given.cast<py::array>();
   if (any.ndim() != 3 || any.shape(2) != 3 || any.dtype().kind() != 'u' || any.dtype().itemsize() != 1) {
@@ -93,10 +93,10 @@ Measurement measured(const PictureLike& before, const PictureLike& after, const 
   requests.settings.head = headNamed(head);
   requests.settings.partial = partial;
   if (contact_px) requests.settings.contact_px = Vec2(contact_px->first, contact_px->second);
-  const measure::Photograph first = photographOf(before, "before");
-  const measure::Photograph second = photographOf(after, "after");
+  const measure::Photograph first = loadPhotograph(before, "before");
+  const measure::Photograph second = loadPhotograph(after, "after");
   std::optional<measure::Photograph> null;
-  if (!again.is_none()) null = photographOf(again, "again");
+  if (!again.is_none()) null = loadPhotograph(again, "again");
   return unlocked([&](Interrupts& interrupts) {
     std::vector<measure::Finding> findings;
     if (null) countNullDrift(first, *null, requests, findings);
@@ -119,7 +119,7 @@ FloatArray pointsArray(std::size_t count, const std::function<Vec2(std::size_t)>
   return FloatArray(points);
 }
 
-Arrays dotsOf(const Measurement& m) {
+Arrays dotArrays(const Measurement& m) {
   const auto& dots = m.dots;
   py::array_t<std::int32_t> sites({static_cast<py::ssize_t>(dots.size()), py::ssize_t{2}});
   py::array_t<double> residuals(static_cast<py::ssize_t>(dots.size()));
@@ -141,7 +141,7 @@ Arrays dotsOf(const Measurement& m) {
   return table;
 }
 
-FactsList findingsOf(const Measurement& m) {
+FactsList listFindings(const Measurement& m) {
   FactsList all;
   for (const measure::Finding& finding : m.findings) {
     Facts one;
@@ -158,7 +158,7 @@ auto ofFit(Value FieldFit::*member) {
   return [member](const Measurement& m) { return m.fit ? std::optional<Value>((*m.fit).*member) : std::nullopt; };
 }
 
-Facts driftOf(const Measurement& m) {
+Facts driftFacts(const Measurement& m) {
   Facts facts;
   if (!m.fit) return facts;
   const measure::Drift& drift = m.fit->drift;
@@ -200,7 +200,7 @@ void bindMeasurement(py::module_& module) {
                           "What two pictures say, and whether to believe it. What was not fitted is None.")
       .def_property_readonly("accepted", &Measurement::accepted, "Nothing refuses it.")
       .def_property_readonly(
-          "findings", findingsOf,
+          "findings", listFindings,
           "What speaks against it, a dict each: severity (\"refusal\", \"warning\"), code (stable),\n"
           "text (what was seen and what to do).")
       .def_property_readonly("ellipse", ofFit(&FieldFit::at_2_mm), "The key ellipse, of 2 mm; None without a fit.")
@@ -210,10 +210,10 @@ void bindMeasurement(py::module_& module) {
       .def_property_readonly("residual_rms_mm", ofFit(&FieldFit::residual_rms_mm), "Of the dots about the fit.")
       .def_property_readonly("inside_share", ofFit(&FieldFit::inside_share),
                              "Of the ellipse that lies within the dots.")
-      .def_property_readonly("drift", driftOf,
+      .def_property_readonly("drift", driftFacts,
                              "How the body moved between the pictures: right_mm, headwards_mm, length_mm, turn_deg,\n"
                              "scale_percent; empty without a fit.")
-      .def_property_readonly("dots", dotsOf,
+      .def_property_readonly("dots", dotArrays,
                              "A dict of arrays, a row a dot: site (N, 2) column and row, before_px, after_px (NaN:\n"
                              "hidden), skin_mm, moved_mm without the body's own motion (N, 2), residual_mm (N,).")
       .def_property_readonly(

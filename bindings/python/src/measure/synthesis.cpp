@@ -27,7 +27,7 @@ TailFamily familyNamed(const std::string& word) {
   throw py::value_error("tail: \"compact\", \"long\", \"half-space\" or \"windowed\", not " + word);
 }
 
-void take(double& value, const std::optional<double>& request, const char* what, double least, double most,
+void applyRequest(double& value, const std::optional<double>& request, const char* what, double least, double most,
           double factor = 1.0) {
   if (!request) return;
   if (!(*request >= least && *request <= most)) {
@@ -42,17 +42,17 @@ struct PressRequests {
   std::optional<double> half_major_mm, ratio, direction_deg, drag_deg, peak_mm;
 };
 
-measure::SyntheticCase caseOf(std::uint64_t seed, double megapixels, double drift_mm, const PressRequests& requests) {
+measure::SyntheticCase drawRequestedCase(std::uint64_t seed, double megapixels, double drift_mm, const PressRequests& requests) {
   if (!(megapixels >= 0.5 && megapixels <= 48.0)) throw py::value_error("megapixels: 0.5 to 48");
   if (!(drift_mm >= 0.0 && drift_mm <= 20.0)) throw py::value_error("drift_mm: 0 to 20");
   measure::CaseRequests drawn{.megapixels = megapixels, .drift_mm = drift_mm};
   if (requests.tail) drawn.family = familyNamed(*requests.tail);
   measure::SyntheticCase made = measure::drawCase(seed, drawn);
-  take(made.press.half_major_mm, requests.half_major_mm, "half_major_mm", 20, 300);
-  take(made.press.ratio, requests.ratio, "ratio", 1, 4);
-  take(made.press.direction_rad, requests.direction_deg, "direction_deg", -180, 180, kRadPerDeg);
-  take(made.press.drag_rad, requests.drag_deg, "drag_deg", -180, 180, kRadPerDeg);
-  take(made.press.peak_mm, requests.peak_mm, "peak_mm", 0, 40);
+  applyRequest(made.press.half_major_mm, requests.half_major_mm, "half_major_mm", 20, 300);
+  applyRequest(made.press.ratio, requests.ratio, "ratio", 1, 4);
+  applyRequest(made.press.direction_rad, requests.direction_deg, "direction_deg", -180, 180, kRadPerDeg);
+  applyRequest(made.press.drag_rad, requests.drag_deg, "drag_deg", -180, 180, kRadPerDeg);
+  applyRequest(made.press.peak_mm, requests.peak_mm, "peak_mm", 0, 40);
   if (made.press.peak_mm == 0.0) {  // nothing is pressed: no stick is held
     made.press.dent_mm = 0.0;
     made.press.stick = false;
@@ -60,7 +60,7 @@ measure::SyntheticCase caseOf(std::uint64_t seed, double megapixels, double drif
   return made;
 }
 
-PixelArray pixelsOf(const measure::Photograph& picture) {
+PixelArray toPixelArray(const measure::Photograph& picture) {
   py::array_t<std::uint8_t> pixels({picture.height_px, picture.width_px, 3});
   std::copy(picture.rgb.begin(), picture.rgb.end(), pixels.mutable_data());
   return PixelArray(pixels);
@@ -86,7 +86,7 @@ Synthesized synthesized(std::uint64_t seed, double megapixels, double drift_mm, 
                         const std::optional<double>& direction_deg, const std::optional<double>& drag_deg,
                         const std::optional<double>& peak_mm) {
   const measure::SyntheticCase made =
-      caseOf(seed, megapixels, drift_mm, {tail, half_major_mm, ratio, direction_deg, drag_deg, peak_mm});
+      drawRequestedCase(seed, megapixels, drift_mm, {tail, half_major_mm, ratio, direction_deg, drag_deg, peak_mm});
   measure::SyntheticPair pair;
   measure::Photograph again;
   unlocked([&](Interrupts& interrupts) {
@@ -94,7 +94,7 @@ Synthesized synthesized(std::uint64_t seed, double megapixels, double drift_mm, 
     interrupts.check();
     again = measure::throughJpeg(measure::renderPicture(made, measure::Moment::again), made.look.jpeg_quality);
   });
-  return {pixelsOf(pair.before), pixelsOf(again), pixelsOf(pair.after), truthFacts(pair.truth)};
+  return {toPixelArray(pair.before), toPixelArray(again), toPixelArray(pair.after), truthFacts(pair.truth)};
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ std::vector<scene::Overlay> overlays(py::handle value, const char* key) {
 }
 
 Vec2 range(py::handle value, const char* key) {
-  const auto ends = floatsOf(value, key);
+  const auto ends = asFloats(value, key);
   if (ends.ndim() != 1 || ends.size() != 2 || !(ends.at(0) < ends.at(1))) {
     throw py::value_error(std::string(key) + ": two rising numbers are wanted");
   }
@@ -178,14 +178,14 @@ std::vector<view::FingerMark> marksFor(const scene::World& world, const std::vec
     mark.radius_mm = mark.haptic_radius_mm > 0.0 ? mark.haptic_radius_mm : kFingertipMm;
     mark.colour = colours[std::min(i, std::size(colours) - 1)];
     mark.left = i % 2 == 0;
-    mark.pad = view::padOf(world.scene, i);
+    mark.pad = view::fingerPad(world.scene, i);
     marks.push_back(mark);
   }
   return marks;
 }
 
 /// The present skin: copied, since it may change while the picture is drawn.
-void takeSkin(const WorldPointer& world, const py::object& skin, const std::vector<contact::FingerOutput>& touches,
+void captureSkin(const WorldPointer& world, const py::object& skin, const std::vector<contact::FingerOutput>& touches,
               PictureJob& job) {
   if (skin.is_none()) {
     engine::LivingSkin living(*world->world, {.strain = true, .fingers = std::max<std::size_t>(1, touches.size())});
@@ -216,7 +216,7 @@ view::TakenPicture waitFor(std::future<view::TakenPicture> picture) {
   });
 }
 
-py::array_t<std::uint8_t> arrayOf(const view::Image& image) {
+py::array_t<std::uint8_t> copyPixels(const view::Image& image) {
   py::array_t<std::uint8_t> array({image.height, image.width, 3});
   static_assert(sizeof(view::Pixel) == 3);
   std::copy_n(reinterpret_cast<const std::uint8_t*>(image.pixels.data()), image.pixels.size() * 3,
@@ -230,7 +230,7 @@ Drawn draw(const WorldPointer& world, const py::object& skin, const py::object& 
            const std::pair<std::int64_t, std::int64_t>& size, int supersampling, const py::dict& options) {
   if (supersampling < 1 || supersampling > 4) throw py::value_error("supersampling: 1 to 4");
   const PictureOptions wanted = pictureOptions(*world->world, options);
-  const std::vector<contact::FingerOutput> felt = touchesOf(touches);
+  const std::vector<contact::FingerOutput> felt = asTouches(touches);
   const auto job = std::make_shared<PictureJob>();
   job->world = world->world;
   job->size = {side(size.first, "width"), side(size.second, "height"), supersampling};
@@ -239,9 +239,9 @@ Drawn draw(const WorldPointer& world, const py::object& skin, const py::object& 
   if (!wanted.labels) job->settings.labels = view::LabelSettings::none();
   job->settings.labels.title = wanted.title;
   job->fingers = marksFor(*world->world, felt, wanted.radius_mm);
-  takeSkin(world, skin, felt, *job);
+  captureSkin(world, skin, felt, *job);
   const view::TakenPicture taken = waitFor(drawingThread().draw(job));
-  return {PixelArray(arrayOf(taken.image)), taken.notes};
+  return {PixelArray(copyPixels(taken.image)), taken.notes};
 }
 
 void savePng(const std::filesystem::path& file, const py::object& picture) {

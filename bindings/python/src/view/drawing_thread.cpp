@@ -34,7 +34,7 @@ struct DrawingThread::Studio {
     target = std::make_unique<view::Target>(width, height);
   }
 
-  view::TakenPicture take(const PictureJob& job) {
+  view::TakenPicture capture(const PictureJob& job) {
     show(job.world);
     const view::PictureSize& size = job.size;
     makeRoom(size.width * size.supersampling, size.height * size.supersampling);
@@ -69,7 +69,7 @@ DrawingThread::~DrawingThread() {
 bool DrawingThread::isOfAnotherProcess() const { return ::getpid() != process_; }
 
 std::future<view::TakenPicture> DrawingThread::draw(std::shared_ptr<const PictureJob> job) {
-  Work work([job = std::move(job)](Studio& studio) { return studio.take(*job); });
+  Work work([job = std::move(job)](Studio& studio) { return studio.capture(*job); });
   std::future<view::TakenPicture> picture = work.get_future();
   {
     const std::lock_guard lock(mutex_);

@@ -66,13 +66,13 @@ Differentiated differentiated(const TemplateBody& body, const TrunkShape& shape,
   return result;
 }
 
-double stepOf(const TrunkShape& shape, const BuildNumber& number) {
+double differenceStep(const TrunkShape& shape, const BuildNumber& number) {
   return shape.*number.member + number.step > number.high ? -number.step : number.step;
 }
 
 /// Derivative of a body point's place in the scan's frame by the placement's numbers: three rows.
-Eigen::Matrix<double, 3, kPlacementNumbers> motionOf(const BodyPlacement& at, const Vec3& point,
-                                                     const std::array<Vec3, kBuildNumbers>& by_build) {
+Eigen::Matrix<double, 3, kPlacementNumbers> placementJacobian(const BodyPlacement& at, const Vec3& point,
+                                                              const std::array<Vec3, kBuildNumbers>& by_build) {
   const double scale = at.scale();
   Eigen::Matrix<double, 3, kPlacementNumbers> motion;
   const Vec3 turned = scale * (at.rotation * point);
@@ -113,7 +113,7 @@ class Round {
     const auto hit = nearest_.find(place, reach_mm / at.scale());
     if (hit.triangle == kNoIndex || body_.isStump()[hit.triangle]) return false;
     const Triangle& t = body_.triangles()[hit.triangle];
-    const std::array<double, 3> share = sharesOf(t, hit.point);
+    const std::array<double, 3> share = barycentricWeights(t, hit.point);
     Vec3 facing = share[0] * normals_[t[0]] + share[1] * normals_[t[1]] + share[2] * normals_[t[2]];
     facing.normalize();
     const Vec3 here = at.rotation.transpose() * normal;
@@ -129,7 +129,7 @@ class Round {
     for (std::size_t i = 0; i < kBuild.size(); ++i) {
       result[i] = build_is_free_
                       ? Vec3((template_.ahead[i].landmarks[landmark] - template_.shaped.landmarks[landmark]) /
-                             stepOf(shape_, kBuild[i]))
+                             differenceStep(shape_, kBuild[i]))
                       : Vec3(Vec3::Zero());
     }
     return result;
@@ -137,7 +137,7 @@ class Round {
   const TemplateBody::Shaped& shaped() const { return template_.shaped; }
 
  private:
-  std::array<double, 3> sharesOf(const Triangle& t, const Vec3& point) const {
+  std::array<double, 3> barycentricWeights(const Triangle& t, const Vec3& point) const {
     const Vec3& a = mesh_.positions[t[0]];
     const Vec3& b = mesh_.positions[t[1]];
     const Vec3& c = mesh_.positions[t[2]];
@@ -154,7 +154,7 @@ class Round {
     for (std::size_t k = 0; k < 3; ++k) {
       motion += share[k] * (template_.ahead[number].skin[t[k]] - template_.shaped.skin[t[k]]);
     }
-    return motion / stepOf(shape_, kBuild[number]);
+    return motion / differenceStep(shape_, kBuild[number]);
   }
 
   const TemplateBody& body_;
@@ -208,8 +208,8 @@ struct Equations {
   double rms_mm = 0, matched = 0, misfit = 0;
 };
 
-Equations equationsOf(const Round& round, const BodyPlacement& at, const ScanSamples& scan,
-                      std::span<const KnownPlace> known, double reach_mm, double sigma_mm, bool build_is_free) {
+Equations buildEquations(const Round& round, const BodyPlacement& at, const ScanSamples& scan,
+                         std::span<const KnownPlace> known, double reach_mm, double sigma_mm, bool build_is_free) {
   Equations e;
   const auto count = static_cast<double>(scan.points.size());
   const double independent = std::clamp(scan.area_mm2 / (kAlikeMm * kAlikeMm), 10.0, count);
@@ -224,7 +224,7 @@ Equations equationsOf(const Round& round, const BodyPlacement& at, const ScanSam
     }
     e.misfit += std::min(match.off * match.off / (kMisfitMm * kMisfitMm), 1.0);
     const double weight = tukey(match.off, reach_mm);
-    const Numbers row = motionOf(at, match.point, match.by_build).transpose() * match.normal;
+    const Numbers row = placementJacobian(at, match.point, match.by_build).transpose() * match.normal;
     e.normal += worth * weight * row * row.transpose();
     e.right += worth * weight * match.off * row;
     weights += weight;
@@ -236,7 +236,7 @@ Equations equationsOf(const Round& round, const BodyPlacement& at, const ScanSam
   e.misfit /= count;
   for (const KnownPlace& place : known) {
     const Vec3& point = round.shaped().landmarks[place.landmark];
-    const auto motion = motionOf(at, point, round.landmarkByBuild(place.landmark));
+    const auto motion = placementJacobian(at, point, round.landmarkByBuild(place.landmark));
     const double known_worth = 1 / (kKnownSigmaMm * kKnownSigmaMm);
     e.normal += known_worth * motion.transpose() * motion;
     e.right += known_worth * motion.transpose() * (place.position - at.toScan(point));
@@ -320,7 +320,7 @@ Alignment aligned(const TemplateBody& body, const ScanSamples& scan, std::span<c
     std::optional<Round> own;
     if (build == nullptr) own.emplace(body, result.placement.shape, true);
     const Round& round = own ? *own : *build;
-    Equations e = equationsOf(round, result.placement, scan, known, reach, sigma, build == nullptr);
+    Equations e = buildEquations(round, result.placement, scan, known, reach, sigma, build == nullptr);
     result.rms_mm = e.rms_mm;
     result.matched = e.matched;
     result.misfit = e.misfit;
@@ -375,7 +375,7 @@ std::vector<double> landmarkDeviations(const TemplateBody& body, const Alignment
   const Round round(body, alignment.placement.shape, true);
   std::vector<double> deviations;
   for (std::size_t i = 0; i < body.landmarks().size(); ++i) {
-    const auto motion = motionOf(alignment.placement, round.shaped().landmarks[i], round.landmarkByBuild(i));
+    const auto motion = placementJacobian(alignment.placement, round.shaped().landmarks[i], round.landmarkByBuild(i));
     const Mat3 spread = motion * alignment.covariance * motion.transpose();
     deviations.push_back(std::sqrt(std::max(spread.trace(), 0.0)));
   }

@@ -80,7 +80,8 @@ void requireOnScan(const mesh::TriangleMesh& scan, std::span<const NamedPoint> p
   }
 }
 
-std::vector<double> missesOf(const TemplateBody& body, const BodyPlacement& at, std::span<const KnownPlace> known) {
+std::vector<double> landmarkErrors(const TemplateBody& body, const BodyPlacement& at,
+                                   std::span<const KnownPlace> known) {
   const std::vector<Vec3> landmarks = body.shaped(at.shape).landmarks;
   std::vector<double> misses;
   for (const KnownPlace& place : known)
@@ -102,12 +103,12 @@ Alignment alignByPlaces(const TemplateBody& body, const ScanSamples& samples, st
     std::vector<KnownPlace> others(known.begin(), known.end());
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     const Alignment without = alignByPlaces(body, samples, others);
-    const std::vector<double> misses = missesOf(body, without.placement, others);
+    const std::vector<double> misses = landmarkErrors(body, without.placement, others);
     const double worst = *std::max_element(misses.begin(), misses.end());
     if (worst >= least) continue;
     least = worst;
     guilty = i;
-    off = missesOf(body, without.placement, known)[i];
+    off = landmarkErrors(body, without.placement, known)[i];
   }
   if (guilty) {
     throw Error(fmt::format("'{}' contradicts the other points: it lies {:.0f} mm from where they say",
@@ -127,7 +128,7 @@ bool isOfSpine(const SkinLandmark& landmark) {
   return landmark.name.starts_with("spinous_") && landmark.position.y() < kHighestY && landmark.position.y() > kLowestY;
 }
 
-double offOf(double deviation_mm, double rms_mm, double to_point_mm) {
+double expectedError(double deviation_mm, double rms_mm, double to_point_mm) {
   const double near = elementary::exp(-to_point_mm * to_point_mm / (2 * kPointReachMm * kPointReachMm));
   return elementary::hypot(deviation_mm, kOwnErrorMm + kHiddenShare * rms_mm * std::sqrt(1 - near * near));
 }
@@ -162,7 +163,7 @@ double chanceOfAnother(const Alignment& best, const std::optional<Alignment>& ot
   return 1 / (1 + elementary::exp(std::min(worse, 50.0)));
 }
 
-std::string helpOf(bool by_points) { return by_points ? "" : "; name four points or more (--at T6=X,Y,Z)"; }
+std::string pointsHint(bool by_points) { return by_points ? "" : "; name four points or more (--at T6=X,Y,Z)"; }
 
 void judge(const Alignment& best, bool by_points, BodyFit& fit) {
   const bool explained = best.matched >= kExplained || best.of_template >= kCovered;
@@ -176,13 +177,13 @@ void judge(const Alignment& best, bool by_points, BodyFit& fit) {
                             fit.spine_expected_mm, 100 * fit.certainty);
   }
   if (!fit.doubt.empty()) {
-    fit.doubt += helpOf(by_points);
+    fit.doubt += pointsHint(by_points);
     fit.certainty = std::min(fit.certainty, 0.5);
   }
 }
 
-BodyFit fitOf(const TemplateBody& body, const ScanSamples& samples, const Alignment& best,
-              const std::optional<Alignment>& other, std::span<const KnownPlace> known) {
+BodyFit makeBodyFit(const TemplateBody& body, const ScanSamples& samples, const Alignment& best,
+                    const std::optional<Alignment>& other, std::span<const KnownPlace> known) {
   BodyFit fit;
   fit.placement = best.placement;
   fit.rms_mm = best.rms_mm;
@@ -191,7 +192,8 @@ BodyFit fitOf(const TemplateBody& body, const ScanSamples& samples, const Alignm
   const std::vector<Vec3> landmarks = body.shaped(best.placement.shape).landmarks;
   const std::vector<bool> shown = shownBy(body, best.placement, samples);
   for (std::size_t i = 0; i < deviations.size(); ++i) {
-    fit.expected_mm.push_back(offOf(deviations[i], best.rms_mm, toNearest(known, best.placement.toScan(landmarks[i]))));
+    fit.expected_mm.push_back(
+        expectedError(deviations[i], best.rms_mm, toNearest(known, best.placement.toScan(landmarks[i]))));
     if (shown[i] && isOfSpine(body.landmarks()[i]))
       fit.spine_expected_mm = std::max(fit.spine_expected_mm, fit.expected_mm[i]);
   }
@@ -212,7 +214,7 @@ struct BestTwo {
 /// Its misfit made worse by the named points that it misses.
 Alignment judgedByFew(const TemplateBody& body, Alignment found, std::span<const KnownPlace> known) {
   constexpr double kWorthOfPoints = 0.1;  // separates levels; a point that no such shape can have is not believed
-  for (const double miss : missesOf(body, found.placement, known)) {
+  for (const double miss : landmarkErrors(body, found.placement, known)) {
     const double share = std::min(miss / kContradictsMm, 1.0);
     found.misfit += kWorthOfPoints / static_cast<double>(known.size()) * share * share;
   }
@@ -256,13 +258,13 @@ BestTwo bestPlacements(const TemplateBody& body, const mesh::TriangleMesh& scan,
 BodyFit fitByShape(const TemplateBody& body, const mesh::TriangleMesh& scan, const ScanSamples& samples,
                    std::span<const KnownPlace> known, std::span<const NamedPoint> named, const Progress& progress) {
   const BestTwo placements = bestPlacements(body, scan, samples, known, progress);
-  const std::vector<double> misses = missesOf(body, placements.best.placement, known);
+  const std::vector<double> misses = landmarkErrors(body, placements.best.placement, known);
   const auto worst = std::max_element(misses.begin(), misses.end());
   if (worst != misses.end() && *worst > kContradictsMm) {
     throw Error(fmt::format("'{}' contradicts the shape of the scan by {:.0f} mm: name {} points or more",
                             named[static_cast<std::size_t>(worst - misses.begin())].name, *worst, kFewestNamedPoints));
   }
-  return fitOf(body, samples, placements.best, placements.other, known);
+  return makeBodyFit(body, samples, placements.best, placements.other, known);
 }
 
 BodyFit fitByPoints(const TemplateBody& body, const ScanSamples& samples, std::span<const KnownPlace> known,
@@ -270,9 +272,9 @@ BodyFit fitByPoints(const TemplateBody& body, const ScanSamples& samples, std::s
   requireSpread(named);
   report(progress, "fitting the build", 0.0);
   const Alignment best = alignByPlaces(body, samples, known);
-  const std::vector<double> misses = missesOf(body, best.placement, known);
+  const std::vector<double> misses = landmarkErrors(body, best.placement, known);
   if (*std::max_element(misses.begin(), misses.end()) > kContradictsMm) failContradiction(body, samples, known, named);
-  return fitOf(body, samples, best, std::nullopt, known);
+  return makeBodyFit(body, samples, best, std::nullopt, known);
 }
 
 }  // namespace

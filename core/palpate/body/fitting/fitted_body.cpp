@@ -16,9 +16,9 @@ namespace palpate::body {
 
 namespace {
 
-constexpr double kUnderMm = 70;  // a bone deeper than this is not of the side that was scanned
-constexpr double kOntoMm = 25;   // a landmark farther from the scan is not on it
-constexpr double kBesideMm = 5;  // nor one that is outside its border
+constexpr double kUnderMm = 70;     // a bone deeper than this is not of the side that was scanned
+constexpr double kOntoMm = 25;      // a landmark farther from the scan is not on it
+constexpr double kMaxOffsetMm = 5;  // nor one that is outside its border
 
 /// Queries on the scan's skin.
 class ScannedSkin {
@@ -59,7 +59,7 @@ class ScannedSkin {
 };
 
 /// The corrected depth: the same where there is room, kMinFittedCoverMm at least.
-double keptUnder(double depth_mm) {
+double coveredDepth(double depth_mm) {
   constexpr double kSoftMm = 1.2;
   const double over = (depth_mm - kMinFittedCoverMm) / kSoftMm;
   if (over > 8) return depth_mm;
@@ -78,12 +78,12 @@ bool pushUnder(const ScannedSkin& skin, Bone& bone) {
       continue;
     }
     ++under;
-    p += (keptUnder(-place.out) + place.out) * -place.normal;
+    p += (coveredDepth(-place.out) + place.out) * -place.normal;
   }
   return under > beside;
 }
 
-ResidualWarp warpOf(const BodyFit& fit, std::span<const SkinLandmark> landmarks) {
+ResidualWarp makeWarp(const BodyFit& fit, std::span<const SkinLandmark> landmarks) {
   std::vector<Move> exact;
   for (const NamedPoint& point : fit.points) {
     for (const SkinLandmark& landmark : landmarks) {
@@ -115,7 +115,7 @@ FittedBody fittedBody(const TemplateBody& body, const BodyFit& fit, const mesh::
   const ScannedSkin skin(scan);
   requireSameScan(fit, skin);
   std::vector<SkinLandmark> landmarks = body.landmarksOf(fit.placement.shape);
-  const ResidualWarp warp = warpOf(fit, landmarks);
+  const ResidualWarp warp = makeWarp(fit, landmarks);
   const auto onto = [&](const Vec3& p) { return warp(fit.placement.toScan(p)); };
   FittedBody result;
   for (Bone& bone : body.bonesOf(fit.placement.shape)) {
@@ -127,7 +127,7 @@ FittedBody fittedBody(const TemplateBody& body, const BodyFit& fit, const mesh::
     SkinLandmark& landmark = landmarks[i];
     const ScannedSkin::Place place = skin.near(onto(landmark.position), kOntoMm);
     const bool facing = place.normal.dot(fit.placement.rotation * landmark.normal) > 0;
-    if (place.out > 1e8 || !facing || (place.at_border && place.beside > kBesideMm)) continue;
+    if (place.out > 1e8 || !facing || (place.at_border && place.beside > kMaxOffsetMm)) continue;
     landmark.position = place.point;
     landmark.normal = place.normal;
     landmark.bone_position = onto(landmark.bone_position);

@@ -21,7 +21,7 @@ constexpr double kSkinOverSpineZ = 60;                                        //
 constexpr double kSamePlaceMm = 25;
 constexpr std::size_t kPromising = 30;  // after a first pull
 
-Vec3 meanOf(const std::vector<Vec3>& vectors) {
+Vec3 meanVector(const std::vector<Vec3>& vectors) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& v : vectors) sum += v;
   return sum / static_cast<double>(std::max<std::size_t>(vectors.size(), 1));
@@ -66,8 +66,8 @@ std::vector<Mat3> turnsOfBody(const ScanSamples& scan, const Vec3& middle) {
 }
 
 std::vector<BodyPlacement> starts(const ScanSamples& scan) {
-  const Vec3 middle = meanOf(scan.points);
-  const Vec3 back = meanOf(scan.normals);
+  const Vec3 middle = meanVector(scan.points);
+  const Vec3 back = meanVector(scan.normals);
   const bool patch = back.norm() > kFacesOneWay;
   std::vector<BodyPlacement> all;
   for (const Mat3& turn : patch ? turnsOfPatch(back.normalized()) : turnsOfBody(scan, middle)) {
@@ -115,8 +115,8 @@ BodyPlacement placementByPlaces(const TemplateBody& body, std::span<const KnownP
     from.push_back(body.landmarks()[place.landmark].position);
     to.push_back(place.position);
   }
-  const Vec3 from_middle = meanOf(from);
-  const Vec3 to_middle = meanOf(to);
+  const Vec3 from_middle = meanVector(from);
+  const Vec3 to_middle = meanVector(to);
   Mat3 product = Mat3::Zero();
   double square = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {

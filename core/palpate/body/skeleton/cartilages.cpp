@@ -48,7 +48,7 @@ Vec3 outwardAt(const Vec3& centre, const Vec3& along) {
   return (from_cage - from_cage.dot(along) * along).normalized();
 }
 
-Vec3 endOf(int number, double edge_mm) {
+Vec3 cartilageEnd(int number, double edge_mm) {
   if (number <= 7) return sternalNotch(number) + Vec3(kSternumGap + kCostochondralEnd.rounding_mm, 0.0, 0.0);
   const std::vector<Station> above = cartilageStations(number - 1, edge_mm);
   const double place = kJoinsAt[static_cast<std::size_t>(number - 8)] * static_cast<double>(above.size() - 1);
@@ -57,9 +57,9 @@ Vec3 endOf(int number, double edge_mm) {
   return at.centre + (at.half_height + kArchGap + 0.5 * kArchEndThickness) * down;
 }
 
-std::vector<Vec3> lineOf(int number, const Station& rib, double edge_mm) {
+std::vector<Vec3> sampleCartilageLine(int number, const Station& rib, double edge_mm) {
   const Vec3 start = rib.centre + (kJointGap + 2.0 * kCostochondralEnd.rounding_mm) * rib.along;
-  const Vec3 end = endOf(number, edge_mm);
+  const Vec3 end = cartilageEnd(number, edge_mm);
   std::vector<Vec3> points{start};
   const std::vector<Vec3>& course = kCourse[static_cast<std::size_t>(number - 1)];
   const Vec3 next = course.empty() ? end : course.front();
@@ -74,7 +74,7 @@ std::vector<Vec3> lineOf(int number, const Station& rib, double edge_mm) {
 
 std::vector<Station> cartilageStations(int number, double edge_mm) {
   const Station rib = rightRibEnd(number, trunkRibRows()[number - 1], kRibStationMm);
-  const std::vector<Vec3> line = lineOf(number, rib, edge_mm);
+  const std::vector<Vec3> line = sampleCartilageLine(number, rib, edge_mm);
   const double end_height = 0.5 * (number <= 7 ? kEndHeight : kArchEndHeight);
   const double end_thickness = 0.5 * (number <= 7 ? kEndThickness : kArchEndThickness);
   std::vector<Station> stations;

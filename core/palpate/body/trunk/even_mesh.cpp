@@ -70,14 +70,14 @@ class ChangingMesh {
     return sum;
   }
 
-  bool isEdge(const Edge& edge) const { return leftOf(edge.a, edge.b) != kNoIndex; }
+  bool isEdge(const Edge& edge) const { return leftTriangle(edge.a, edge.b) != kNoIndex; }
 
   /// The new vertex, on the surface between the two.
   Index split(const Edge& edge) {
-    const Index left = leftOf(edge.a, edge.b);
-    const Index right = leftOf(edge.b, edge.a);
-    const Index c = oppositeOf(left, edge.a, edge.b);
-    const Index d = oppositeOf(right, edge.b, edge.a);
+    const Index left = leftTriangle(edge.a, edge.b);
+    const Index right = leftTriangle(edge.b, edge.a);
+    const Index c = oppositeVertex(left, edge.a, edge.b);
+    const Index d = oppositeVertex(right, edge.b, edge.a);
     const Index middle = addPoint(onto_(0.5 * (position_[edge.a] + position_[edge.b])));
     around_.emplace_back();
     replaceCorner(left, edge.b, middle);
@@ -114,11 +114,11 @@ class ChangingMesh {
 
   /// Turns the edge where its four vertices get nearer to six neighbours and no triangle gets worse.
   bool flip(const Edge& edge) {
-    const Index left = leftOf(edge.a, edge.b);
-    const Index right = leftOf(edge.b, edge.a);
-    const Index c = oppositeOf(left, edge.a, edge.b);
-    const Index d = oppositeOf(right, edge.b, edge.a);
-    if (c == d || leftOf(c, d) != kNoIndex || leftOf(d, c) != kNoIndex) return false;
+    const Index left = leftTriangle(edge.a, edge.b);
+    const Index right = leftTriangle(edge.b, edge.a);
+    const Index c = oppositeVertex(left, edge.a, edge.b);
+    const Index d = oppositeVertex(right, edge.b, edge.a);
+    if (c == d || leftTriangle(c, d) != kNoIndex || leftTriangle(d, c) != kNoIndex) return false;
     if (!flipHelps(edge, c, d)) return false;
     const Triangle one{c, d, edge.b};
     const Triangle other{d, c, edge.a};
@@ -197,14 +197,14 @@ class ChangingMesh {
     return c[0] == v || c[1] == v || c[2] == v;
   }
   /// The triangle whose side goes from a to b.
-  Index leftOf(Index a, Index b) const {
+  Index leftTriangle(Index a, Index b) const {
     for (const Index t : around_[a]) {
       const Triangle& c = triangles_[t];
       if ((c[0] == a && c[1] == b) || (c[1] == a && c[2] == b) || (c[2] == a && c[0] == b)) return t;
     }
     return kNoIndex;
   }
-  Index oppositeOf(Index t, Index a, Index b) const {
+  Index oppositeVertex(Index t, Index a, Index b) const {
     for (const Index v : triangles_[t]) {
       if (v != a && v != b) return v;
     }
@@ -225,12 +225,12 @@ class ChangingMesh {
     for (const Index t : around_[a]) {
       for (const Index v : triangles_[t]) {
         // Each neighbour of a is counted once, in the triangle whose side runs from a to it.
-        if (v != a && v != b && leftOf(a, v) == t && leftOf(b, v) != kNoIndex) ++common;
+        if (v != a && v != b && leftTriangle(a, v) == t && leftTriangle(b, v) != kNoIndex) ++common;
       }
     }
     if (common != 2) return false;
-    for (const Index t : {leftOf(a, b), leftOf(b, a)}) {
-      if (around_[oppositeOf(t, a, b)].size() <= kFewestNeighbours) return false;
+    for (const Index t : {leftTriangle(a, b), leftTriangle(b, a)}) {
+      if (around_[oppositeVertex(t, a, b)].size() <= kFewestNeighbours) return false;
     }
     return true;
   }
@@ -280,7 +280,7 @@ class ChangingMesh {
 };
 
 /// Edge of equilateral triangles of which `triangles` cover `area`.
-double edgeOf(double area, std::size_t triangles) {
+double equilateralEdge(double area, std::size_t triangles) {
   return std::sqrt(area / static_cast<double>(triangles) * 4.0 / std::sqrt(3.0));
 }
 
@@ -415,7 +415,7 @@ mesh::TriangleMesh evenMesh(const mesh::TriangleMesh& rough, const OntoSurface& 
   for (; coarse > kMaxByRounds; ++quarterings) coarse /= 4;
   coarse = coarse / 2 * 2;
   ChangingMesh mesh(rough, onto);
-  for (int round = 0; round < kEvenRounds; ++round) oneRound(mesh, edgeOf(mesh.area(), coarse));
+  for (int round = 0; round < kEvenRounds; ++round) oneRound(mesh, equilateralEdge(mesh.area(), coarse));
   makeExact(mesh, coarse);
   for (int round = 0; round < kSmoothings; ++round) {
     flipAll(mesh);

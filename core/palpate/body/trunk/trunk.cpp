@@ -55,7 +55,7 @@ mesh::TriangleMesh fittedSkin(const TrunkField& field, std::size_t triangles) {
       rough, [&](const Vec3& p) { return field.project(p); }, triangles);
 }
 
-FoldAmounts foldsOf(const TrunkShape& shape) {
+FoldAmounts computeFoldAmounts(const TrunkShape& shape) {
   constexpr double kBellyWithin = 4.5;  // kg/m^2 from the fitted body
   constexpr double kFilledBy = 20.0;    // kg/m^2: fat fills the crease under the buttock
   constexpr double kLeastGluteal = 0.4;
@@ -72,7 +72,7 @@ class Shaper {
  public:
   Shaper(const TrunkField& field, const TrunkShape& shape, std::span<const Bone> fitted_bones)
       : field_(field),
-        folds_(field, foldsOf(shape)),
+        folds_(field, computeFoldAmounts(shape)),
         shape_(shape),
         warp_(shape),
         scale_(shape.stature_mm / kTableStatureMm) {

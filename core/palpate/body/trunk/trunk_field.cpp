@@ -18,7 +18,7 @@ constexpr double kOnSkinMm = 1e-6;
 constexpr double kLongestStepMm = 12.0;  // where two parts of the skin are near, a longer step would change sides
 
 /// The value of a digit: its place among the characters that are digits.
-int digitOf(char character) {
+int decodeDigit(char character) {
   constexpr std::string_view kNoDigits = "+-?\\";
   int value = character - '#';
   for (const char other : kNoDigits) value -= other < character ? 1 : 0;
@@ -35,7 +35,7 @@ std::vector<double> decoded() {
       coefficients.push_back(first == '+' ? kFarMm : -kFarMm);
       continue;
     }
-    const int digits = kTrunkTableBase * digitOf(first) + digitOf(kTrunkTable[++i]);
+    const int digits = kTrunkTableBase * decodeDigit(first) + decodeDigit(kTrunkTable[++i]);
     coefficients.push_back(kTrunkTableUnitMm * (digits - kMiddle));
   }
   return coefficients;

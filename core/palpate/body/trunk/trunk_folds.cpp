@@ -104,7 +104,7 @@ std::vector<double> fadedEnds(std::span<const Vec3> line, double fade_mm) {
   return strength;
 }
 
-double amountOf(Follows follows, const FoldAmounts& amounts) {
+double foldAmount(Follows follows, const FoldAmounts& amounts) {
   if (follows == Follows::nothing) return 1;
   return follows == Follows::hips ? amounts.gluteal : amounts.belly;
 }
@@ -115,7 +115,7 @@ Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
 TrunkFolds::TrunkFolds(const TrunkField& field, const FoldAmounts& amounts) {
   for (const FoldRow& row : kStrokes) {
-    const double amount = amountOf(row.follows, amounts);
+    const double amount = foldAmount(row.follows, amounts);
     if (amount == 0) continue;
     Stroke stroke{.line = resampled(std::span(row.line).first(row.points)),
                   .strength = {},

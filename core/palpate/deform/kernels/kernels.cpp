@@ -107,7 +107,7 @@ HWY_INLINE M isNear(const PartLanes& part, const V3& offset, V height) {
 }
 
 template <bool kLevel, bool kFacing>
-HWY_INLINE VerticesInside verticesInsideOf(const ContactLanes& contact, const RestBlock& rest) {
+HWY_INLINE VerticesInside findVerticesInside(const ContactLanes& contact, const RestBlock& rest) {
   const Lanes d;
   VerticesInside inside{0, 0};
   for (size_t lane = 0; lane < kBlockVertices; lane += hn::Lanes(d)) {
@@ -129,8 +129,10 @@ HWY_INLINE VerticesInside verticesInsideOf(const ContactLanes& contact, const Re
 
 VerticesInside verticesInside(const ContactLanes& contact, const RestBlock& rest, BlockSeen seen) {
   if (seen.is_facing)
-    return seen.is_level ? verticesInsideOf<true, true>(contact, rest) : verticesInsideOf<false, true>(contact, rest);
-  return seen.is_level ? verticesInsideOf<true, false>(contact, rest) : verticesInsideOf<false, false>(contact, rest);
+    return seen.is_level ? findVerticesInside<true, true>(contact, rest)
+                         : findVerticesInside<false, true>(contact, rest);
+  return seen.is_level ? findVerticesInside<true, false>(contact, rest)
+                       : findVerticesInside<false, false>(contact, rest);
 }
 
 /// exp(-rate q^2) for 0 <= q^2 <= 1, within 3e-7 of its value; anything outside. 2^t is split into a whole power, added
@@ -259,7 +261,7 @@ HWY_INLINE void moveByOne(const ContactLanes& contact, const V3& position, M reg
 }
 
 /// profileOf where the height over the contact's plane matters; its slope along the normal joins the gradient.
-HWY_INLINE Profile risingProfileOf(const PartLanes& part, const V3& facing, const V3& offset, M region) {
+HWY_INLINE Profile evaluateRisingProfile(const PartLanes& part, const V3& facing, const V3& offset, M region) {
   const Lanes d;
   const V height = dot(facing, offset);
   const V rise = riseAt(part, hn::Abs(height));
@@ -284,7 +286,7 @@ HWY_INLINE void addPart(const ContactLanes& contact, const PartLanes& part, cons
   if constexpr (kLevel) {
     profile = profileOf<false>(part, offset, region);
   } else {
-    profile = risingProfileOf(part, broadcast(contact.facing), offset, region);
+    profile = evaluateRisingProfile(part, broadcast(contact.facing), offset, region);
   }
   const V3 shift = broadcast(part.shift);
   motion.displacement = mulAdd(profile.weight, shift, motion.displacement);

@@ -99,7 +99,7 @@ HWY_INLINE void addLayeredPress(const ContactLanes& contact, const V3& offset, M
 
 /// Weight and gradient of a layered drag.
 template <bool kLevel>
-HWY_INLINE Profile layeredDragOf(const ContactLanes& contact, const V3& offset, M region) {
+HWY_INLINE Profile computeLayeredDrag(const ContactLanes& contact, const V3& offset, M region) {
   const Lanes d;
   const PartLanes& part = contact.tangential;
   const Place at = placeIn<kLevel>(contact, part, offset);
@@ -111,7 +111,7 @@ HWY_INLINE Profile layeredDragOf(const ContactLanes& contact, const V3& offset, 
 template <bool kLevel>
 HWY_INLINE void addLayeredDrag(const ContactLanes& contact, const V3& offset, M region, Motion& motion) {
   if (!drags(contact)) return;
-  const Profile profile = layeredDragOf<kLevel>(contact, offset, region);
+  const Profile profile = computeLayeredDrag<kLevel>(contact, offset, region);
   const V3 shift = broadcast(contact.tangential.shift);
   motion.displacement = mulAdd(profile.weight, shift, motion.displacement);
   motion.row_x = mulAdd(shift.x, profile.gradient, motion.row_x);
@@ -122,7 +122,7 @@ HWY_INLINE void addLayeredDrag(const ContactLanes& contact, const V3& offset, M 
 /// cof(F) n of a drag alone: (1 + b.v) n - (b.n) v.
 HWY_INLINE void moveByLayeredDrag(const ContactLanes& contact, const V3& offset, M region, V3& displacement,
                                   V3& normal) {
-  const Profile drag = layeredDragOf<true>(contact, offset, region);
+  const Profile drag = computeLayeredDrag<true>(contact, offset, region);
   const V3 b = broadcast(contact.tangential.shift);
   displacement = scaled(drag.weight, b);
   const V stretch = hn::Add(dot(b, drag.gradient), hn::Set(Lanes(), 1.0f));

@@ -17,7 +17,7 @@ namespace {
 /// Progress is reported in steps of this share: often enough for a bar, too rarely to cost anything.
 constexpr double kProgressStep = 0.01;
 
-double middleOf(double a, double b, double c) { return std::max(std::min(a, b), std::min(std::max(a, b), c)); }
+double medianOfThree(double a, double b, double c) { return std::max(std::min(a, b), std::min(std::max(a, b), c)); }
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Vec3 middlePoint(const mesh::TriangleMesh& mesh, Index triangle) {
   const Vec3& a = mesh.positions[mesh.triangles[triangle][0]];
   const Vec3& b = mesh.positions[mesh.triangles[triangle][1]];
   const Vec3& c = mesh.positions[mesh.triangles[triangle][2]];
-  return {middleOf(a.x(), b.x(), c.x()), middleOf(a.y(), b.y(), c.y()), middleOf(a.z(), b.z(), c.z())};
+  return {medianOfThree(a.x(), b.x(), c.x()), medianOfThree(a.y(), b.y(), c.y()), medianOfThree(a.z(), b.z(), c.z())};
 }
 
 void WorkDone::add(double share) {

@@ -19,7 +19,7 @@ namespace {
 constexpr double kMillimetresPerMetre = 1000.0;
 
 /// With its dot, in lower case; "." when there is none.
-std::string extensionOf(const std::filesystem::path& file) {
+std::string lowerCaseExtension(const std::filesystem::path& file) {
   const std::string ending = inSmallLetters(file.extension().string());
   return ending.empty() ? "." : ending;
 }
@@ -32,7 +32,7 @@ std::optional<Format> formatByContent(std::string_view bytes) {
 }
 
 std::optional<Format> formatByExtension(const std::filesystem::path& file) {
-  const std::string extension = extensionOf(file);
+  const std::string extension = lowerCaseExtension(file);
   if (extension == ".obj") return Format::obj;
   if (extension == ".stl") return Format::stl;
   if (extension == ".ply") return Format::ply;
@@ -56,7 +56,7 @@ TriangleMesh read(const MeshFile& file, Format format, VertexChannels* channels)
     case Format::glb:
       return readGltf(file);
     case Format::foreign:
-      return readForeign(file, extensionOf(pathOf(file.name)).substr(1));
+      return readForeign(file, lowerCaseExtension(pathOf(file.name)).substr(1));
   }
   return {};
 }
@@ -112,7 +112,7 @@ void useForeignReader(ForeignReader reader) { foreignReader() = reader; }
 
 bool isMeshFile(const std::filesystem::path& file) { return formatByExtension(file).has_value(); }
 
-Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign) {
+Format detectFormat(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign) {
   if (const auto format = formatByContent(bytes)) return *format;
   if (const auto format = formatByExtension(file)) return *format;
   if (allow_foreign) return Format::foreign;

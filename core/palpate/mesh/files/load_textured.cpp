@@ -15,7 +15,7 @@ TriangleMesh readWithPlaces(const MeshFile& file, Format format, TexturePlaces& 
   return {};
 }
 
-void keepTextured(TexturedMesh& textured) {
+void dropUnusable(TexturedMesh& textured) {
   const std::vector<Vec3>& at = textured.mesh.positions;
   const auto unusable = [&](Index v) {
     return v >= textured.places.size() || !textured.places[v].allFinite() || !isUsable(at[v]);
@@ -28,7 +28,7 @@ void keepTextured(TexturedMesh& textured) {
 TexturedMesh loadFrom(const MeshFile& file, Format format) {
   TexturedMesh textured;
   textured.mesh = readWithPlaces(file, format, textured.places);
-  keepTextured(textured);
+  dropUnusable(textured);
   toMillimetres(textured.mesh, format, file.options.unit_mm);
   return textured;
 }

@@ -73,7 +73,7 @@ void checkNeeds(JsonValue root) {
 }
 
 /// The transform of the picture's coordinates (KHR_texture_transform).
-Eigen::Affine2f placingOf(JsonValue base_colour) {
+Eigen::Affine2f textureTransform(JsonValue base_colour) {
   const JsonValue transform = base_colour["extensions"]["KHR_texture_transform"];
   const JsonValue turn = transform["rotation"];
   // v points down: a counter-clockwise turn in this notation is the extension's matrix.
@@ -103,7 +103,7 @@ class GltfReader {
       for (std::size_t m = 0; m < meshes_.size(); ++m) addMesh(m, {}, {Eigen::Affine3d::Identity()});
     } else {
       pose_.showScene([this](JsonValue node, const Eigen::Affine3d& transform) { showNode(node, transform); });
-      tellWhatIsNotShown();
+      reportHiddenMeshes();
     }
     return std::move(mesh_);
   }
@@ -114,14 +114,14 @@ class GltfReader {
     if (!mesh) return;
     const JsonValue instances = node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
     addMesh(mesh.index(meshes_.size(), "mesh"), node,
-            instances && !node["skin"] ? instancesOf(instances, transform) : std::vector{transform});
+            instances && !node["skin"] ? readInstances(instances, transform) : std::vector{transform});
   }
 
   /// EXT_mesh_gpu_instancing: the node's mesh once for each of these.
-  std::vector<Eigen::Affine3d> instancesOf(JsonValue attributes, const Eigen::Affine3d& transform) {
-    const auto moves = vectorsOf<Vec3>(attributes["TRANSLATION"]);
-    const auto turns = vectorsOf<Eigen::Vector4d>(attributes["ROTATION"]);
-    const auto scales = vectorsOf<Vec3>(attributes["SCALE"]);
+  std::vector<Eigen::Affine3d> readInstances(JsonValue attributes, const Eigen::Affine3d& transform) {
+    const auto moves = readVectors<Vec3>(attributes["TRANSLATION"]);
+    const auto turns = readVectors<Eigen::Vector4d>(attributes["ROTATION"]);
+    const auto scales = readVectors<Vec3>(attributes["SCALE"]);
     const std::size_t count = std::max({moves.size(), turns.size(), scales.size()});
     for (const std::size_t size : {moves.size(), turns.size(), scales.size()}) {
       if (size != 0 && size != count) attributes.fail("attributes of instances need one count");
@@ -137,11 +137,11 @@ class GltfReader {
   }
 
   template <class Vector>
-  std::vector<Vector> vectorsOf(JsonValue accessor) {
+  std::vector<Vector> readVectors(JsonValue accessor) {
     return accessor ? accessors_.vectors<Vector>(accessor) : std::vector<Vector>();
   }
 
-  void tellWhatIsNotShown() const {
+  void reportHiddenMeshes() const {
     std::vector<bool> is_named(meshes_.size(), false);
     for (std::size_t n = 0; n < pose_.nodes(); ++n) {
       const JsonValue mesh = pose_.node(n)["mesh"];
@@ -166,12 +166,12 @@ class GltfReader {
 
   void addMesh(std::size_t mesh, JsonValue node, const std::vector<Eigen::Affine3d>& instances) {
     if (!primitives_[mesh]) primitives_[mesh] = readPrimitives(meshes_[mesh]);
-    const std::vector<double> weights = weightsOf(node["weights"] ? node["weights"] : meshes_[mesh]["weights"]);
+    const std::vector<double> weights = readWeights(node["weights"] ? node["weights"] : meshes_[mesh]["weights"]);
     for (const Primitive& primitive : *primitives_[mesh]) {
       const std::vector<Vec3> morphed = morphedBy(weights, primitive);
       if (const JsonValue skin = node["skin"]) {
         // The node of a skinned mesh has no effect: its joints place it (section 3.7.3.3).
-        addSkinned(primitive, morphed, pose_.jointsOf(skin, accessors_));
+        addSkinned(primitive, morphed, pose_.jointMotions(skin, accessors_));
         continue;
       }
       for (const Eigen::Affine3d& transform : instances) addMoved(primitive, morphed, transform);
@@ -179,7 +179,7 @@ class GltfReader {
     report(file_.progress, "reading", 0.5);
   }
 
-  std::vector<double> weightsOf(JsonValue list) {
+  std::vector<double> readWeights(JsonValue list) {
     std::vector<double> weights;
     for (const JsonValue weight : list.items()) weights.push_back(weight.number());
     spend(weights.size(), list);
@@ -201,7 +201,7 @@ class GltfReader {
         json.fail(fmt::format("geometry compressed with {} cannot be read", kDraco));
       }
       Primitive primitive{json, mode, accessors_.vectors<Vec3>(attribute), {}, {}, {}, {}};
-      primitive.indices = indicesOf(json, primitive.positions.size());
+      primitive.indices = readIndices(json, primitive.positions.size());
       checkTriangles(primitive);
       for (const JsonValue target : json["targets"].items()) primitive.morph_targets.push_back(target["POSITION"]);
       for (std::size_t set = 0; set < kMaxJointSets; ++set) {
@@ -210,7 +210,7 @@ class GltfReader {
         if (joints && weights) primitive.joint_sets.emplace_back(joints, weights);
       }
       if (places_ != nullptr) primitive.places = placesOf(json, primitive.positions.size());
-      spend(itemsOf(primitive), json);
+      spend(countItems(primitive), json);
       primitives.push_back(std::move(primitive));
     }
     return primitives;
@@ -239,11 +239,11 @@ class GltfReader {
 
   /// Texture places of the base colour; empty without such an attribute. glTF counts v downwards.
   TexturePlaces placesOf(JsonValue primitive, std::size_t vertices) {
-    const JsonValue base_colour = baseColourOf(base_colours_, primitive);
+    const JsonValue base_colour = findBaseColour(base_colours_, primitive);
     const JsonValue moved_set = base_colour["extensions"]["KHR_texture_transform"]["texCoord"];
     const std::size_t set = (moved_set ? moved_set : base_colour["texCoord"]).indexOr(0, kMaxTextureSets, "texCoord");
-    TexturePlaces places = vectorsOf<Vec2f>(primitive["attributes"][fmt::format("TEXCOORD_{}", set)]);
-    const Eigen::Affine2f placing = placingOf(base_colour);
+    TexturePlaces places = readVectors<Vec2f>(primitive["attributes"][fmt::format("TEXCOORD_{}", set)]);
+    const Eigen::Affine2f placing = textureTransform(base_colour);
     for (TexturePlace& place : places) {
       place = placing * place;
       place.y() = 1.0f - place.y();
@@ -261,7 +261,7 @@ class GltfReader {
 
   void addSkinned(const Primitive& primitive, const std::vector<Vec3>& morphed,
                   const std::vector<Eigen::Affine3d>& joints) {
-    const std::vector<Eigen::Affine3d> carriers = carriersOf(primitive, joints);
+    const std::vector<Eigen::Affine3d> carriers = blendJoints(primitive, joints);
     std::vector<Vec3> positions;
     double turned = 0.0;
     for (std::size_t v = 0; v < morphed.size(); ++v) {
@@ -272,7 +272,7 @@ class GltfReader {
   }
 
   /// The mean of its joints for each vertex, by its weights. A vertex of no weight follows its first joint.
-  std::vector<Eigen::Affine3d> carriersOf(const Primitive& primitive, const std::vector<Eigen::Affine3d>& joints) {
+  std::vector<Eigen::Affine3d> blendJoints(const Primitive& primitive, const std::vector<Eigen::Affine3d>& joints) {
     const std::size_t vertices = primitive.positions.size();
     if (primitive.joint_sets.empty()) primitive.where.fail("a skinned primitive without JOINTS_0 and WEIGHTS_0");
     Eigen::Affine3d nothing;
@@ -316,7 +316,7 @@ class GltfReader {
   }
 
   void addPrimitive(const Primitive& primitive, const std::vector<Vec3>& positions, bool mirrored) {
-    spend(itemsOf(primitive), primitive.where);
+    spend(countItems(primitive), primitive.where);
     const std::size_t first = mesh_.positions.size();
     if (first + positions.size() >= kNoIndex) primitive.where.fail("more vertices than 32-bit indices can name");
     mesh_.positions.insert(mesh_.positions.end(), positions.begin(), positions.end());
@@ -325,7 +325,7 @@ class GltfReader {
     checkTriangleCount(mesh_.triangles.size(), file_.name);
   }
 
-  std::vector<Index> indicesOf(JsonValue primitive, std::size_t vertices) {
+  std::vector<Index> readIndices(JsonValue primitive, std::size_t vertices) {
     const JsonValue accessor = primitive["indices"];
     std::vector<Index> indices(accessor ? 0 : vertices);
     for (Index i = 0; i < indices.size(); ++i) indices[i] = i;
@@ -340,13 +340,13 @@ class GltfReader {
     return indices;
   }
 
-  static std::size_t itemsOf(const Primitive& primitive) {
+  static std::size_t countItems(const Primitive& primitive) {
     return 1 + primitive.positions.size() + primitive.indices.size();
   }
 
   void spend(std::size_t items, JsonValue where) {
     spent_ += items;
-    if (spent_ > accessors_.mostItems()) where.fail("meshes are shown more often than a file of this size can mean");
+    if (spent_ > accessors_.maxItems()) where.fail("meshes are shown more often than a file of this size can mean");
   }
 
   void addTriangles(const Primitive& primitive, Index first, bool mirrored) {

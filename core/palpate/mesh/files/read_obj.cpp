@@ -74,11 +74,11 @@ class ObjReader {
       if (unknown_line_ == 0) unknown_line_ = text_.line();
       passOver(fmt::format("'{}' is not an OBJ keyword: the line is passed over", shown(keyword)));
     } else {
-      tellShape(keyword);
+      reportShape(keyword);
     }
   }
 
-  void tellShape(std::string_view keyword) {
+  void reportShape(std::string_view keyword) {
     for (const Shape& shape : kShapes) {
       if (isWord(keyword, shape.keyword)) file_.passed_over.leaveOut(shape.what);
     }

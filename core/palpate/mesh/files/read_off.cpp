@@ -48,7 +48,7 @@ struct OffHead {
 };
 
 /// Empty where the word is not a head of OFF.
-std::optional<OffHead> headOf(std::string_view word) {
+std::optional<OffHead> parseOffHead(std::string_view word) {
   const std::size_t off = inSmallLetters(word.substr(0, kLongestHead)).find("off");
   if (off == std::string::npos) return std::nullopt;
   std::string letters = inSmallLetters(word.substr(0, off));
@@ -62,7 +62,7 @@ std::optional<OffHead> headOf(std::string_view word) {
 
 OffHead readHead(TextReader& text) {
   const auto word = wordOfHead(text);
-  const auto head = headOf(word);
+  const auto head = parseOffHead(word);
   // Geomview's description allows leaving out the word.
   if (!head && word.find_first_not_of("0123456789") == std::string_view::npos) return {word, false};
   if (!head) text.fail(fmt::format("'OFF' is expected, not '{}'", shown(word)));
@@ -108,7 +108,7 @@ bool beginsAsOff(std::string_view bytes) {
   const Progress none;
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) return false;
   TextReader text(bytes.substr(0, kLongestOffBeginning), "", none, kOffRules);
-  return headOf(text.wordAnywhere()).has_value();
+  return parseOffHead(text.wordAnywhere()).has_value();
 }
 
 TriangleMesh readOff(const MeshFile& file) {

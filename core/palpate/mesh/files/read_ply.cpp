@@ -241,7 +241,7 @@ struct ChannelColumns {
   std::optional<ColourColumns> colour;
 };
 
-double fullLightOf(Type type) {
+double fullIntensity(Type type) {
   if (type == Type::f32 || type == Type::f64) return 1.0;
   return type == Type::u16 || type == Type::i16 ? 65535.0 : 255.0;
 }
@@ -261,7 +261,7 @@ std::optional<ColourColumns> colourColumns(const Element& element, const std::ar
     if (!column) return std::nullopt;
     colour.columns[c] = *column;
   }
-  colour.full = fullLightOf(element.properties[colour.columns[0]].type);
+  colour.full = fullIntensity(element.properties[colour.columns[0]].type);
   return colour;
 }
 

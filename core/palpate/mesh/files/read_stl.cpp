@@ -58,7 +58,7 @@ class Corners {
   void prepare(const Vec3& position) const {
     if (weld_) welder_.prepare(position);
   }
-  std::vector<Vec3> takePositions() { return weld_ ? welder_.takePositions() : std::move(loose_); }
+  std::vector<Vec3> extractPositions() { return weld_ ? welder_.extractPositions() : std::move(loose_); }
 
  private:
   bool weld_;
@@ -106,7 +106,7 @@ TriangleMesh readBinary(const MeshFile& file) {
     mesh.triangles.push_back({a, b, c});
     if (t % kTrianglesPerReport == 0) report(file.progress, "reading", static_cast<double>(t) / count);
   }
-  mesh.positions = corners.takePositions();
+  mesh.positions = corners.extractPositions();
   return mesh;
 }
 
@@ -137,7 +137,7 @@ class TextStl {
       text_.nextLine();
     }
     if (within) text_.fail("the file ends before 'endsolid'");
-    mesh_.positions = corners_.takePositions();
+    mesh_.positions = corners_.extractPositions();
     polygons_.cut(mesh_, {file_.name, FilePlace::line, 1}, false, file_.passed_over);
     return std::move(mesh_);
   }

@@ -21,15 +21,15 @@ namespace {
 constexpr std::array<std::array<double, 2>, 4> kRing = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 /// Where it can, at right angles to the body's height: spinous processes are blades along it.
-Vec3 besideOf(const Vec3& normal) {
+Vec3 sidewaysDirection(const Vec3& normal) {
   constexpr double kNearlyUpright = 0.9;
   return normal.cross(std::abs(normal.y()) < kNearlyUpright ? Vec3::UnitY() : Vec3::UnitX()).normalized();
 }
 
-double asideOf(double depth_mm) { return tissue::kFingertipMm + depth_mm; }
+double ringRadius(double depth_mm) { return tissue::kFingertipMm + depth_mm; }
 
 double radiusOf(double depth_mm, double aside_mm) {
-  const double ring_mm = asideOf(depth_mm);
+  const double ring_mm = ringRadius(depth_mm);
   const double farther = aside_mm - depth_mm;
   const double square = ring_mm * ring_mm + depth_mm * depth_mm - aside_mm * aside_mm;
   if (!(2.0 * tissue::kFlatBoneMm * farther > square)) return tissue::kFlatBoneMm;
@@ -62,9 +62,9 @@ std::vector<float> boneRadii(const mesh::TriangleMesh& skin, std::span<const dou
   points.reserve(asked.size() * kRing.size());
   for (const auto& [a, b] : kRing) {
     for (const Index v : asked) {
-      const Vec3 first = besideOf(normals[v]);
+      const Vec3 first = sidewaysDirection(normals[v]);
       const Vec3 second = normals[v].cross(first);
-      points.emplace_back(skin.positions[v] + asideOf(nearest_mm[v]) * (a * first + b * second));
+      points.emplace_back(skin.positions[v] + ringRadius(nearest_mm[v]) * (a * first + b * second));
     }
   }
   const std::vector<double> aside_mm = body::depthToBones(points, bones).depth_mm;

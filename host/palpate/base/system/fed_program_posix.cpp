@@ -38,7 +38,7 @@ std::vector<char*> environmentNaming(std::string& starter) {
 }
 
 /// Lets a program receive stop signals, even where we ignore them (`palpate run &` in a script).
-void hearsWhoAsksToEnd(posix_spawnattr_t& attributes) {
+void restoreStopSignals(posix_spawnattr_t& attributes) {
   sigset_t heard;
   sigemptyset(&heard);
   for (const int signal : {SIGINT, SIGTERM}) sigaddset(&heard, signal);
@@ -57,7 +57,7 @@ int started(const std::filesystem::path& program, std::vector<std::string> words
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
-  hearsWhoAsksToEnd(attributes);
+  restoreStopSignals(attributes);
   std::string starter;
   std::vector<char*> environment = environmentNaming(starter);
   const int error = posix_spawn(&process, program.c_str(), &files, &attributes, arguments.data(), environment.data());

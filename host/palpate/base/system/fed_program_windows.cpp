@@ -16,7 +16,7 @@ namespace palpate::system {
 
 namespace {
 
-HANDLE handleOf(std::intptr_t number) { return reinterpret_cast<HANDLE>(number); }
+HANDLE toHandle(std::intptr_t number) { return reinterpret_cast<HANDLE>(number); }
 std::intptr_t numberOf(HANDLE handle) { return reinterpret_cast<std::intptr_t>(handle); }
 
 std::FILE* fileWithoutName() {
@@ -49,9 +49,9 @@ FedProgram::FedProgram(const std::filesystem::path& program, const std::vector<s
   start.cb = sizeof(start);
   start.dwFlags = STARTF_USESTDHANDLES;
   start.hStdInput = inheritable(theirs);
-  start.hStdError = inheritable(handleOf(::_get_osfhandle(::_fileno(words_.get()))));
+  start.hStdError = inheritable(toHandle(::_get_osfhandle(::_fileno(words_.get()))));
   PROCESS_INFORMATION child{};
-  std::wstring line = commandLineOf(words);
+  std::wstring line = joinCommandLine(words);
   const bool runs =
       ::CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE,
                        CREATE_NO_WINDOW | CREATE_NEW_PROCESS_GROUP, nullptr, nullptr, &start, &child) != 0;
@@ -66,19 +66,19 @@ FedProgram::FedProgram(const std::filesystem::path& program, const std::vector<s
 FedProgram::~FedProgram() {
   closeInput();
   if (process_ == -1) return;
-  ::TerminateProcess(handleOf(process_), 1);
-  ::CloseHandle(handleOf(process_));
+  ::TerminateProcess(toHandle(process_), 1);
+  ::CloseHandle(toHandle(process_));
 }
 
 void FedProgram::closeInput() {
-  if (input_ != -1) ::CloseHandle(handleOf(std::exchange(input_, -1)));
+  if (input_ != -1) ::CloseHandle(toHandle(std::exchange(input_, -1)));
 }
 
 bool FedProgram::feed(std::string_view bytes) {
   while (!bytes.empty()) {
     DWORD sent = 0;
     const auto most = static_cast<DWORD>(std::min<std::size_t>(bytes.size(), 1u << 20));
-    if (::WriteFile(handleOf(input_), bytes.data(), most, &sent, nullptr) == 0) return false;
+    if (::WriteFile(toHandle(input_), bytes.data(), most, &sent, nullptr) == 0) return false;
     bytes.remove_prefix(sent);
   }
   return true;
@@ -86,7 +86,7 @@ bool FedProgram::feed(std::string_view bytes) {
 
 FedProgram::Ending FedProgram::finish() {
   closeInput();
-  const HANDLE process = handleOf(std::exchange(process_, -1));
+  const HANDLE process = toHandle(std::exchange(process_, -1));
   ::WaitForSingleObject(process, INFINITE);
   DWORD answer = 1;
   ::GetExitCodeProcess(process, &answer);
@@ -94,10 +94,10 @@ FedProgram::Ending FedProgram::finish() {
   return {answer == 0, fmt::format("exit code {}", answer)};
 }
 
-bool FedProgram::hasEnded() { return process_ == -1 || ::WaitForSingleObject(handleOf(process_), 0) == WAIT_OBJECT_0; }
+bool FedProgram::hasEnded() { return process_ == -1 || ::WaitForSingleObject(toHandle(process_), 0) == WAIT_OBJECT_0; }
 
 void FedProgram::askToEnd() {
-  if (!hasEnded()) ::TerminateProcess(handleOf(process_), 1);
+  if (!hasEnded()) ::TerminateProcess(toHandle(process_), 1);
 }
 
 }  // namespace palpate::system

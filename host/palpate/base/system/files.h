@@ -24,7 +24,7 @@ bool close(int descriptor);
 bool wasDeleted(int descriptor);
 /// Copies another file's permissions; another user's never open ours wider. Where that fails, the usual ones are as
 /// good.
-void takeRightsOf(const std::filesystem::path& other, int descriptor);
+void copyPermissions(const std::filesystem::path& other, int descriptor);
 /// Gives the file another's name and place, in one step.
 bool replace(const std::filesystem::path& file, const std::filesystem::path& place);
 /// The names in it, to the disk, where the system does that.

@@ -56,7 +56,7 @@ bool wasDeleted(int descriptor) {
   return ::fstat(descriptor, &now) == 0 && now.st_nlink == 0;
 }
 
-void takeRightsOf(const fs::path& other, int descriptor) {
+void copyPermissions(const fs::path& other, int descriptor) {
   struct stat old = {};
   struct stat fresh = {};
   if (::stat(other.c_str(), &old) != 0 || ::fstat(descriptor, &fresh) != 0) return;

@@ -31,7 +31,7 @@ struct Freed {
 using Descriptor = std::unique_ptr<void, Freed>;
 
 /// The system's error as errno.
-int reasonOf(DWORD error) {
+int toErrno(DWORD error) {
   switch (error) {
     case ERROR_FILE_EXISTS:
     case ERROR_ALREADY_EXISTS:
@@ -47,11 +47,11 @@ int reasonOf(DWORD error) {
 }
 
 bool failed() {
-  errno = reasonOf(::GetLastError());
+  errno = toErrno(::GetLastError());
   return false;
 }
 
-int descriptorOf(HANDLE handle) {
+int toDescriptor(HANDLE handle) {
   if (handle != INVALID_HANDLE_VALUE)
     return ::_open_osfhandle(reinterpret_cast<intptr_t>(handle), _O_WRONLY | _O_BINARY);
   failed();
@@ -101,7 +101,7 @@ struct Rights {
   PACL list = nullptr;
 };
 
-bool rightsOf(const fs::path& file, Rights& rights) {
+bool readRights(const fs::path& file, Rights& rights) {
   PSECURITY_DESCRIPTOR memory = nullptr;
   const DWORD error =
       ::GetNamedSecurityInfoW(file.c_str(), SE_FILE_OBJECT, OWNER_SECURITY_INFORMATION | DACL_SECURITY_INFORMATION,
@@ -129,12 +129,12 @@ bool opensToOthers(PACL list) {
 int createFile(const fs::path& file, ReadableBy readers) {
   const Descriptor alone = readers == ReadableBy::owner ? ownersAlone() : Descriptor();
   SECURITY_ATTRIBUTES attributes{sizeof(SECURITY_ATTRIBUTES), alone.get(), FALSE};
-  return descriptorOf(::CreateFileW(file.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, &attributes,
+  return toDescriptor(::CreateFileW(file.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, &attributes,
                                     CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr));
 }
 
 int openForWriting(const fs::path& file) {
-  return descriptorOf(::CreateFileW(file.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, nullptr,
+  return toDescriptor(::CreateFileW(file.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, nullptr,
                                     OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr));
 }
 
@@ -145,8 +145,8 @@ std::ptrdiff_t writeSome(int descriptor, std::string_view bytes) {
 
 bool flush(int descriptor) { return ::_commit(descriptor) == 0 || errno == EBADF; }
 bool close(int descriptor) { return ::_close(descriptor) == 0; }
-bool wasDeleted(int) { return false; }      // the system does not delete a file that is open for writing
-void takeRightsOf(const fs::path&, int) {}  // the folder hands them down
+bool wasDeleted(int) { return false; }         // the system does not delete a file that is open for writing
+void copyPermissions(const fs::path&, int) {}  // the folder hands them down
 
 bool replace(const fs::path& file, const fs::path& place) {
   return ::MoveFileExW(file.c_str(), place.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH) != 0 ||
@@ -163,7 +163,7 @@ bool isOpenToAll(const fs::path&) { return false; }  // links are for administra
 
 bool isClosedToOthers(const fs::path& file) {
   Rights rights;
-  return rightsOf(file, rights) && isOneOfUs(rights.owner) && !opensToOthers(rights.list);
+  return readRights(file, rights) && isOneOfUs(rights.owner) && !opensToOthers(rights.list);
 }
 
 bool isClosedToStrangers(const fs::path& file) { return isClosedToOthers(file); }
@@ -176,7 +176,7 @@ bool isOwnFolder(const fs::path& folder) {
   const DWORD facts = ::GetFileAttributesW(folder.c_str());
   Rights rights;
   return facts != INVALID_FILE_ATTRIBUTES && (facts & FILE_ATTRIBUTE_DIRECTORY) != 0 &&
-         (facts & FILE_ATTRIBUTE_REPARSE_POINT) == 0 && rightsOf(folder, rights) && isOneOfUs(rights.owner);
+         (facts & FILE_ATTRIBUTE_REPARSE_POINT) == 0 && readRights(folder, rights) && isOneOfUs(rights.owner);
 }
 
 bool makeClosedFolder(const fs::path& folder) {

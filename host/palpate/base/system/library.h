@@ -18,7 +18,7 @@ struct OpenedLibrary {
 OpenedLibrary openLibrary(const std::string& name);
 
 /// Null when it has none of that name.
-void* symbolOf(void* library, const char* name);
+void* findSymbol(void* library, const char* name);
 
 /// ".so", ".dll"
 const char* libraryExtension();

@@ -11,7 +11,7 @@ namespace palpate::system {
 namespace {
 
 /// Where the loader found it.
-std::string fileOf([[maybe_unused]] void* handle, const std::string& name) {
+std::string libraryFile([[maybe_unused]] void* handle, const std::string& name) {
 #ifndef __APPLE__
   const link_map* map = nullptr;
   if (::dlinfo(handle, RTLD_DI_LINKMAP, static_cast<void*>(&map)) == 0 && map != nullptr) return map->l_name;
@@ -25,7 +25,7 @@ OpenedLibrary openLibrary(const std::string& name) {
   OpenedLibrary library;
   library.handle = ::dlopen(name.c_str(), RTLD_LAZY | RTLD_GLOBAL);
   if (library.handle != nullptr) {
-    library.file = fileOf(library.handle, name);
+    library.file = libraryFile(library.handle, name);
   } else {
     const char* words = ::dlerror();
     library.words = words == nullptr ? "no reason given" : words;
@@ -33,7 +33,7 @@ OpenedLibrary openLibrary(const std::string& name) {
   return library;
 }
 
-void* symbolOf(void* library, const char* name) { return ::dlsym(library, name); }
+void* findSymbol(void* library, const char* name) { return ::dlsym(library, name); }
 
 const char* libraryExtension() {
 #ifdef __APPLE__

@@ -11,7 +11,7 @@ namespace palpate::system {
 
 namespace {
 
-std::string fileOf(HMODULE library, const std::string& name) {
+std::string libraryFile(HMODULE library, const std::string& name) {
   wchar_t file[MAX_PATH * 4];
   const DWORD length = ::GetModuleFileNameW(library, file, MAX_PATH * 4);
   return length == 0 ? name : std::filesystem::path(std::wstring(file, length)).string();
@@ -38,11 +38,12 @@ OpenedLibrary openLibrary(const std::string& name) {
   const DWORD reason = ::GetLastError();
   ::SetThreadErrorMode(before, nullptr);
   library.handle = handle;
-  (handle != nullptr ? library.file : library.words) = handle != nullptr ? fileOf(handle, name) : wordsOf(name, reason);
+  (handle != nullptr ? library.file : library.words) =
+      handle != nullptr ? libraryFile(handle, name) : wordsOf(name, reason);
   return library;
 }
 
-void* symbolOf(void* library, const char* name) {
+void* findSymbol(void* library, const char* name) {
   return reinterpret_cast<void*>(::GetProcAddress(static_cast<HMODULE>(library), name));
 }
 

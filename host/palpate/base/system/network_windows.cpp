@@ -30,7 +30,7 @@ std::string textOf(const sockaddr* address) {
 }
 
 /// The system's list of adapters; empty where it gives none.
-std::vector<unsigned char> adaptersOf(ULONG family) {
+std::vector<unsigned char> listAdapters(ULONG family) {
   constexpr ULONG kWithout = GAA_FLAG_SKIP_ANYCAST | GAA_FLAG_SKIP_MULTICAST | GAA_FLAG_SKIP_DNS_SERVER;
   constexpr int kTries = 4;  // it may grow between two calls
   ULONG size = 16384;        // size that the system's documentation recommends, so that once is enough
@@ -48,7 +48,7 @@ std::vector<unsigned char> adaptersOf(ULONG family) {
 }  // namespace
 
 std::vector<std::string> ownAddresses(bool v6_too) {
-  const std::vector<unsigned char> list = adaptersOf(v6_too ? AF_UNSPEC : AF_INET);
+  const std::vector<unsigned char> list = listAdapters(v6_too ? AF_UNSPEC : AF_INET);
   std::vector<std::string> addresses;
   const auto* at = list.empty() ? nullptr : reinterpret_cast<const IP_ADAPTER_ADDRESSES*>(list.data());
   for (; at != nullptr; at = at->Next) {

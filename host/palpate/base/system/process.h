@@ -29,7 +29,7 @@ inline constexpr const char* kProgramExtension = kIsWindows ? ".exe" : "";
 bool fillWithRandom(std::span<unsigned char> bytes) noexcept;
 
 /// "Linux 6.1.0, x86_64"; for recordings.
-std::string machineWords();
+std::string describeMachine();
 
 /// The user of this computer, as far as the system says; to be left out of files for others.
 struct Identity {
@@ -52,8 +52,8 @@ std::filesystem::path ownProgram();
 /// From now on the texts of <folder>/<code>/LC_MESSAGES/palpate.mo, a catalogue of gettext, replace those of the code.
 /// Changes the process's environment and its locale for messages. Without libintl (Windows) every text stays as it is.
 void useCatalogue(const std::filesystem::path& folder, const std::string& code);
-const char* translationOf(const char* text) noexcept;
-const char* translationOf(const char* one, const char* many, std::size_t count) noexcept;
+const char* translate(const char* text) noexcept;
+const char* translate(const char* one, const char* many, std::size_t count) noexcept;
 
 /// Whether messages are read at a terminal, which can rewrite a line.
 bool messagesGoToATerminal();
@@ -89,7 +89,7 @@ int becomeProgram(const std::filesystem::path& program, const std::string& calle
 
 #ifdef _WIN32
 /// Words as one line, from which the other program's C library takes them again.
-std::wstring commandLineOf(const std::vector<std::string>& words);
+std::wstring joinCommandLine(const std::vector<std::string>& words);
 #else
 char** environmentOfTheProgram();
 #endif

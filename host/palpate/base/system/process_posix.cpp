@@ -35,7 +35,7 @@ namespace palpate::system {
 namespace {
 
 /// Arguments for the system; `words` must outlive them.
-std::vector<char*> argumentsOf(std::string& called, std::vector<std::string>& words) {
+std::vector<char*> makeArgv(std::string& called, std::vector<std::string>& words) {
   std::vector<char*> arguments = {called.data()};
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -62,7 +62,7 @@ bool isRunning(int process) { return ::kill(process, 0) == 0 || errno != ESRCH; 
 
 bool fillWithRandom(std::span<unsigned char> bytes) noexcept { return ::getentropy(bytes.data(), bytes.size()) == 0; }
 
-std::string machineWords() {
+std::string describeMachine() {
   utsname machine{};
   if (::uname(&machine) != 0) return "unknown";
   return fmt::format("{} {}, {}", machine.sysname, machine.release, machine.machine);
@@ -124,9 +124,9 @@ void useCatalogue(const std::filesystem::path& folder, const std::string& code) 
   ::bind_textdomain_codeset(kTextDomain, "UTF-8");
 }
 
-const char* translationOf(const char* text) noexcept { return ::dgettext(kTextDomain, text); }
+const char* translate(const char* text) noexcept { return ::dgettext(kTextDomain, text); }
 
-const char* translationOf(const char* one, const char* many, std::size_t count) noexcept {
+const char* translate(const char* one, const char* many, std::size_t count) noexcept {
   return ::dngettext(kTextDomain, one, many, count);
 }
 
@@ -134,11 +134,9 @@ const char* translationOf(const char* one, const char* many, std::size_t count) 
 
 void useCatalogue(const std::filesystem::path&, const std::string&) {}
 
-const char* translationOf(const char* text) noexcept { return text; }
+const char* translate(const char* text) noexcept { return text; }
 
-const char* translationOf(const char* one, const char* many, std::size_t count) noexcept {
-  return count == 1 ? one : many;
-}
+const char* translate(const char* one, const char* many, std::size_t count) noexcept { return count == 1 ? one : many; }
 
 #endif
 
@@ -179,7 +177,7 @@ int becomeProgram(const std::filesystem::path& program, const std::string& calle
                   const std::vector<std::string>& words) {
   std::string name = called;
   std::vector<std::string> own = words;
-  return ::execv(program.c_str(), argumentsOf(name, own).data());
+  return ::execv(program.c_str(), makeArgv(name, own).data());
 }
 
 int runQuietly(const std::filesystem::path& program, const std::string& called, const std::vector<std::string>& words) {
@@ -191,8 +189,8 @@ int runQuietly(const std::filesystem::path& program, const std::string& called, 
   std::string name = called;
   std::vector<std::string> own = words;
   pid_t child = 0;
-  const bool started = posix_spawn(&child, program.c_str(), &files, nullptr, argumentsOf(name, own).data(),
-                                   environmentOfTheProgram()) == 0;
+  const bool started =
+      posix_spawn(&child, program.c_str(), &files, nullptr, makeArgv(name, own).data(), environmentOfTheProgram()) == 0;
   posix_spawn_file_actions_destroy(&files);
   int status = 0;
   while (started && ::waitpid(child, &status, 0) < 0) {

@@ -58,7 +58,7 @@ bool begin(const std::filesystem::path& program, const std::string& called, cons
            DWORD flags, PROCESS_INFORMATION& child) {
   std::vector<std::string> all = {called};
   all.insert(all.end(), words.begin(), words.end());
-  std::wstring line = commandLineOf(all);
+  std::wstring line = joinCommandLine(all);
   STARTUPINFOW start{};
   start.cb = sizeof(start);
   const bool quietly = flags == CREATE_NO_WINDOW;
@@ -70,7 +70,7 @@ bool begin(const std::filesystem::path& program, const std::string& called, cons
 }
 
 /// The exit code of one that ended normally, else that of its fault, never below 0; -1 if unknown.
-int endOf(const PROCESS_INFORMATION& child) {
+int waitForExitCode(const PROCESS_INFORMATION& child) {
   ::WaitForSingleObject(child.hProcess, INFINITE);
   DWORD answer = 0;
   const bool ended = ::GetExitCodeProcess(child.hProcess, &answer) != 0;
@@ -82,7 +82,7 @@ int endOf(const PROCESS_INFORMATION& child) {
 
 }  // namespace
 
-std::wstring commandLineOf(const std::vector<std::string>& words) {
+std::wstring joinCommandLine(const std::vector<std::string>& words) {
   std::wstring line;
   for (const std::string& word : words) line += (line.empty() ? L"" : L" ") + quoted(word);
   return line;
@@ -111,7 +111,7 @@ bool fillWithRandom(std::span<unsigned char> bytes) noexcept {
   return ::RtlGenRandom(bytes.data(), static_cast<ULONG>(bytes.size())) != FALSE;
 }
 
-std::string machineWords() {
+std::string describeMachine() {
   OSVERSIONINFOW version{};
   version.dwOSVersionInfoSize = sizeof(version);
   // GetVersionEx answers by the program's manifest; the kernel's own function is truthful.
@@ -148,11 +148,9 @@ bool readRawClock(RawClock& clock) noexcept {
 
 void useCatalogue(const std::filesystem::path&, const std::string&) {}
 
-const char* translationOf(const char* text) noexcept { return text; }
+const char* translate(const char* text) noexcept { return text; }
 
-const char* translationOf(const char* one, const char* many, std::size_t count) noexcept {
-  return count == 1 ? one : many;
-}
+const char* translate(const char* one, const char* many, std::size_t count) noexcept { return count == 1 ? one : many; }
 
 bool messagesGoToATerminal() { return ::_isatty(::_fileno(stderr)) != 0; }
 
@@ -193,7 +191,7 @@ int becomeProgram(const std::filesystem::path& program, const std::string& calle
   ::SetConsoleCtrlHandler(leaveToTheOther, TRUE);
   ::AssignProcessToJobObject(job, child.hProcess);
   ::ResumeThread(child.hThread);
-  const int answer = endOf(child);
+  const int answer = waitForExitCode(child);
   ::SetConsoleCtrlHandler(leaveToTheOther, FALSE);
   ::CloseHandle(job);
   return answer;
@@ -201,7 +199,7 @@ int becomeProgram(const std::filesystem::path& program, const std::string& calle
 
 int runQuietly(const std::filesystem::path& program, const std::string& called, const std::vector<std::string>& words) {
   PROCESS_INFORMATION child{};
-  return begin(program, called, words, CREATE_NO_WINDOW, child) ? endOf(child) : -1;
+  return begin(program, called, words, CREATE_NO_WINDOW, child) ? waitForExitCode(child) : -1;
 }
 
 }  // namespace palpate::system

@@ -12,9 +12,9 @@ inline constexpr int kTerminate = 15;   ///< other programs
 inline constexpr int kBrokenPipe = 13;  ///< the reader of the output has left
 
 /// `ask` is called with the signal: in its handler, so that it may do only what a handler may (lock-free numbers,
-/// tellInHandler, endNow); on Windows on a thread of its own. A signal that was ignored when the program started stays
+/// printInHandler, endNow); on Windows on a thread of its own. A signal that was ignored when the program started stays
 /// ignored.
-void whenAskedToEnd(void (*ask)(int signal));
+void onStopRequest(void (*ask)(int signal));
 
 /// A file that grows over a limit and a reader of a pipe that has left become errors of the write instead of the
 /// program's end. First of all in a program; a library leaves its host's signals as they are.
@@ -31,7 +31,7 @@ void endWithStarter();
 /// The monotonic clock.
 std::int64_t clockInHandlerNs();
 /// Writes to the standard error; lost without a reader.
-void tellInHandler(const char* words);
+void printInHandler(const char* words);
 [[noreturn]] void endNow(int exit_code);
 
 }  // namespace palpate::system

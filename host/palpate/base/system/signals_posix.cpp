@@ -16,7 +16,7 @@ namespace palpate::system {
 
 static_assert(kInterrupt == SIGINT && kHangUp == SIGHUP && kTerminate == SIGTERM && kBrokenPipe == SIGPIPE);
 
-void whenAskedToEnd(void (*ask)(int signal)) {
+void onStopRequest(void (*ask)(int signal)) {
   for (const int signal : {kInterrupt, kTerminate, kHangUp}) {
     struct sigaction before = {};
     if (::sigaction(signal, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) continue;
@@ -48,7 +48,7 @@ std::int64_t clockInHandlerNs() {
   return now.tv_sec * std::int64_t{1'000'000'000} + now.tv_nsec;
 }
 
-void tellInHandler(const char* words) {
+void printInHandler(const char* words) {
   [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, words, std::strlen(words));
 }
 

@@ -25,7 +25,7 @@ BOOL WINAPI handle(DWORD event) {
 
 }  // namespace
 
-void whenAskedToEnd(void (*ask)(int signal)) {
+void onStopRequest(void (*ask)(int signal)) {
   asked = ask;
   ::SetConsoleCtrlHandler(handle, TRUE);
 }
@@ -36,7 +36,7 @@ void endWithStarter() {}
 
 std::int64_t clockInHandlerNs() { return monotonicNs(); }
 
-void tellInHandler(const char* words) { ::_write(2, words, static_cast<unsigned>(std::strlen(words))); }
+void printInHandler(const char* words) { ::_write(2, words, static_cast<unsigned>(std::strlen(words))); }
 
 void endNow(int exit_code) {
   ::TerminateProcess(::GetCurrentProcess(), static_cast<UINT>(exit_code));

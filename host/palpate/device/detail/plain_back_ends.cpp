@@ -40,14 +40,14 @@ std::pair<std::filesystem::path, std::string> fileAndFinger(const std::string& w
   return {which.substr(0, colon), which.substr(colon + 1)};
 }
 
-Trajectory trajectoryOf(const trace::RecordedFinger& finger) { return {finger.time_s, finger.tip}; }
+Trajectory toTrajectory(const trace::RecordedFinger& finger) { return {finger.time_s, finger.tip}; }
 
 Trajectory recordedPath(const std::filesystem::path& file, const std::string& wanted) {
   const std::vector<trace::RecordedFinger> fingers = trace::readForcesTable(file);
-  if (wanted.empty()) return trajectoryOf(fingers.front());
+  if (wanted.empty()) return toTrajectory(fingers.front());
   std::vector<std::string> names;
   for (const trace::RecordedFinger& finger : fingers) {
-    if (finger.name == wanted) return trajectoryOf(finger);
+    if (finger.name == wanted) return toTrajectory(finger);
     names.push_back(finger.name);
   }
   throw Error::inFile(file.string(), unknownName("finger", wanted, "", names));

@@ -24,7 +24,7 @@ namespace {
 constexpr const char* kWho = "remote";
 
 SocketAddress listenAt(const std::string& which) {
-  return socketAddressOf(which, {.address = kRemoteAddress, .port = kRemotePort}, kWho);
+  return parseSocketAddress(which, {.address = kRemoteAddress, .port = kRemotePort}, kWho);
 }
 
 /// The secret that clients must have; none where the variable is not set, on loopback. Throws Error.

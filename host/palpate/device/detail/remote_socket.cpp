@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t kLoopbackNet = 127;
 
 /// "127.0.0.1"; nothing for anything but four numbers of a byte.
-std::optional<std::uint32_t> ipv4Of(std::string_view text) {
+std::optional<std::uint32_t> parseIpv4(std::string_view text) {
   std::uint32_t address = 0;
   for (int i = 0; i < 4; ++i) {
     std::uint8_t byte = 0;
@@ -34,14 +34,14 @@ std::optional<std::uint32_t> ipv4Of(std::string_view text) {
 }
 
 system::UdpPeer peerAt(const SocketAddress& listen, const char* who) {
-  const std::optional<std::uint32_t> address = ipv4Of(listen.address);
+  const std::optional<std::uint32_t> address = parseIpv4(listen.address);
   if (!address) throw Error(fmt::format("{}: '{}' must be an IPv4 address", who, oneLine(listen.address)));
   return {*address, static_cast<std::uint16_t>(listen.port)};
 }
 
 }  // namespace
 
-SocketAddress socketAddressOf(const std::string& which, SocketAddress standard, const char* who) {
+SocketAddress parseSocketAddress(const std::string& which, SocketAddress standard, const char* who) {
   SocketAddress listen = std::move(standard);
   std::string port = which;
   if (const std::size_t colon = which.rfind(':'); colon != std::string::npos) {
@@ -58,7 +58,7 @@ SocketAddress socketAddressOf(const std::string& which, SocketAddress standard, 
 }
 
 bool isOnThisMachine(const SocketAddress& listen) {
-  const std::optional<std::uint32_t> address = ipv4Of(listen.address);
+  const std::optional<std::uint32_t> address = parseIpv4(listen.address);
   return !address || *address >> 24 == kLoopbackNet;
 }
 

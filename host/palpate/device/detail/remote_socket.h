@@ -14,7 +14,7 @@ struct SocketAddress {
 
 /// "4730", "0.0.0.0:4730", or nothing -> where to listen; missing parts are `standard`'s. `who` begins the message of
 /// the Error for anything else.
-SocketAddress socketAddressOf(const std::string& which, SocketAddress standard, const char* who);
+SocketAddress parseSocketAddress(const std::string& which, SocketAddress standard, const char* who);
 
 /// Only programs of this machine reach it.
 bool isOnThisMachine(const SocketAddress& listen);

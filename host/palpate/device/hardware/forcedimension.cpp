@@ -39,7 +39,7 @@ DhdLibrary loadDhd(const OpenOptions& options, Probe& probe) {
                                  .dependencies = {{"libusb", "install the system's libusb-1.0-0"}}};
   reportLibrary({"Force Dimension SDK (libdrd, libdhd)", loaded.library, missing, remedies}, probe);
   if (!probe.reason.empty()) return loaded;
-  const forcedimension::Version version = forcedimension::versionOf(loaded.api);
+  const forcedimension::Version version = forcedimension::readVersion(loaded.api);
   probe.version = version.words;
   if (version.major != 0 && version.major < kOldestMajor) {
     probe.reason = fmt::format("{} is version {}, {}.0 is the oldest that will do", loaded.library.path, version.words,

@@ -49,7 +49,7 @@ std::vector<std::string> resolveApi(const SharedLibrary& library, Api& api) {
   return missing;
 }
 
-Version versionOf(const Api& api) {
+Version readVersion(const Api& api) {
   if (api.sdk_version == nullptr) return {};
   std::array<int, 4> parts{};
   api.sdk_version(parts.data(), &parts[1], &parts[2], &parts[3]);

@@ -42,7 +42,7 @@ Holdings& holdings() {
   return all;
 }
 
-bool take(int index) {
+bool tryReserve(int index) {
   const std::lock_guard lock(holdings().mutex);
   return !std::exchange(holdings().held[static_cast<std::size_t>(index)], true);
 }
@@ -51,7 +51,7 @@ void giveBack(int index) {
   holdings().held[static_cast<std::size_t>(index)] = false;
 }
 
-std::string libraryWords(const Api& api) {
+std::string libraryErrorText(const Api& api) {
   const char* words = api.last_error == nullptr ? nullptr : api.last_error();
   return words == nullptr ? "no reason given" : oneLine(words);
 }
@@ -81,7 +81,7 @@ void Driver::askAbilities(const OpenOptions& options) {
   capabilities_.rate_hz = kExchangesPerS;
   capabilities_.delay_ticks = 1;
   capabilities_.rhythm = Rhythm::blocking;
-  capabilities_.version = versionOf(api_).words;
+  capabilities_.version = readVersion(api_).words;
   const TypeProfile* profile = api_.system_type == nullptr ? nullptr : profileOf(api_.system_type(id_));
   if (profile != nullptr) {
     capabilities_.model = profile->model;
@@ -204,7 +204,7 @@ Opened openDriver(const Api& api, const OpenOptions& options) {
   opened.reason = "all devices are in use by this program";
   for (int i = first; i <= last; ++i) {
     const char index = static_cast<char>(i);
-    if (!take(i)) continue;
+    if (!tryReserve(i)) continue;
     const int id = api.open(index);
     if (id >= 0) {
       opened.reason.clear();
@@ -213,7 +213,7 @@ Opened openDriver(const Api& api, const OpenOptions& options) {
       return opened;
     }
     giveBack(i);
-    opened.reason = fmt::format("device {} does not open: {}", i, libraryWords(api));
+    opened.reason = fmt::format("device {} does not open: {}", i, libraryErrorText(api));
   }
   return opened;
 }

@@ -54,7 +54,7 @@ struct Version {
   int major = 0;  ///< 0: unknown
   std::string words;
 };
-Version versionOf(const Api& api);
+Version readVersion(const Api& api);
 
 /// Published figures of a type of device, used where the library has none.
 struct TypeProfile {

@@ -35,12 +35,12 @@ class HeldInverse {
 void listDevices(const haply::Service& service, const std::string& which, Probe& probe) {
   for (const haply::DeviceReply& device : service.snapshot.devices) {
     if (which.empty() || which == device.id || which == device.handedness) {
-      probe.devices.push_back(haply::modelOf(device));
+      probe.devices.push_back(haply::describeModel(device));
     }
   }
   probe.available = !probe.devices.empty();
   if (probe.available) return;
-  const haply::Added none = haply::whyNoneOf(service, which);
+  const haply::Added none = haply::explainMissingDevice(service, which);
   probe.reason = none.reason;
   probe.remedy = none.remedy;
 }
@@ -61,7 +61,7 @@ Probe probeHaply(const OpenOptions& options) {
 }
 
 Device openHaply(const OpenOptions& options) {
-  const std::shared_ptr<haply::Session> session = haply::sessionOf(haply::settingsOf(options.library));
+  const std::shared_ptr<haply::Session> session = haply::sharedSession(haply::settingsOf(options.library));
   const haply::Added added = session->add(options);
   if (!added.slot) {
     Probe probe;

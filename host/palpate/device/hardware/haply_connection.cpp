@@ -116,7 +116,7 @@ class HttpReader {
   explicit HttpReader(Wire& wire) : wire_(wire) {}
 
   HttpHead readHead() {
-    const std::string text = takeUntil(kHeadEnd, kMaxHeadBytes, "header limit exceeded");
+    const std::string text = readUntil(kHeadEnd, kMaxHeadBytes, "header limit exceeded");
     HttpHead head;
     std::string_view rest = std::string_view(text).substr(0, text.size() - kLineEnd.size());
     head.status = parseStatus(nextLine(rest));
@@ -135,14 +135,14 @@ class HttpReader {
       const std::optional<std::size_t> bytes = parseCount(*length, 10);
       if (!bytes) wire_.refuse("bad Content-Length");
       requireFits(*bytes);
-      return take(*bytes);
+      return readBytes(*bytes);
     }
     while (fill()) requireFits(in_.size());
     return std::exchange(in_, {});
   }
 
   /// The bytes behind the head.
-  std::string takeRest() { return std::exchange(in_, {}); }
+  std::string extractRest() { return std::exchange(in_, {}); }
 
  private:
   static std::string_view nextLine(std::string_view& text) {
@@ -172,7 +172,7 @@ class HttpReader {
     return !more.empty();
   }
 
-  std::string take(std::size_t bytes) {
+  std::string readBytes(std::size_t bytes) {
     while (in_.size() < bytes) {
       if (!fill()) wire_.refuse("partial message");
     }
@@ -181,7 +181,7 @@ class HttpReader {
     return taken;
   }
 
-  std::string takeUntil(std::string_view end, std::size_t max_bytes, const char* too_long) {
+  std::string readUntil(std::string_view end, std::size_t max_bytes, const char* too_long) {
     std::size_t at = in_.find(end);
     while (at == std::string::npos) {
       if (in_.size() > max_bytes) wire_.refuse(too_long);
@@ -189,21 +189,21 @@ class HttpReader {
       at = in_.find(end);
     }
     if (at > max_bytes) wire_.refuse(too_long);
-    return take(at + end.size());
+    return readBytes(at + end.size());
   }
 
   std::string readChunks() {
     std::string body;
     while (true) {
-      const std::string line = takeUntil(kLineEnd, kMaxChunkLineBytes, "bad chunk");
+      const std::string line = readUntil(kLineEnd, kMaxChunkLineBytes, "bad chunk");
       const std::string_view size = std::string_view(line).substr(0, line.find_first_of("; \t\r"));
       const std::optional<std::size_t> bytes = parseCount(size, 16);
       if (!bytes) wire_.refuse("bad chunk");
       if (*bytes == 0) return body;  // the trailer is of no interest, nor is the connection
       requireFits(*bytes);           // before the sum, which could wrap around
       requireFits(body.size() + *bytes);
-      body += take(*bytes);
-      if (take(kLineEnd.size()) != kLineEnd) wire_.refuse("bad chunk");
+      body += readBytes(*bytes);
+      if (readBytes(kLineEnd.size()) != kLineEnd) wire_.refuse("bad chunk");
     }
   }
 
@@ -243,7 +243,7 @@ struct Connection::Impl {
     if (head.field("sec-websocket-extensions") != nullptr || head.field("sec-websocket-protocol") != nullptr) {
       wire.refuse("The WebSocket handshake names an extension or a protocol that was not asked for");
     }
-    frames.feed(answer.takeRest());
+    frames.feed(answer.extractRest());
   }
 
   /// Reports the reason to the service; whether it arrives does not matter any more.

@@ -19,7 +19,7 @@ constexpr double kMaxSpeedMS = 100.0;
 constexpr const char* kNoForm = "the service's answer is not JSON";
 
 /// The member of an object; null if missing, or if it is not an object.
-const Json& memberOf(const Json& object, const char* name) {
+const Json& findMember(const Json& object, const char* name) {
   static const Json none;
   if (!object.is_object()) return none;
   const auto found = object.find(name);
@@ -29,11 +29,11 @@ const Json& memberOf(const Json& object, const char* name) {
 std::string textOf(const Json& value) { return value.is_string() ? oneLine(value.text()) : ""; }
 
 /// Three finite numbers of at most that size.
-std::optional<Vec3> vectorOf(const Json& value, double most) {
+std::optional<Vec3> parseVector(const Json& value, double most) {
   Vec3 vector;
   int axis = 0;
   for (const char* name : {"x", "y", "z"}) {
-    const Json& number = memberOf(value, name);
+    const Json& number = findMember(value, name);
     if (!number.is_number()) return std::nullopt;
     vector[axis] = number.get<double>();
     if (!(std::abs(vector[axis]) <= most)) return std::nullopt;
@@ -42,28 +42,28 @@ std::optional<Vec3> vectorOf(const Json& value, double most) {
   return vector;
 }
 
-std::uint32_t buttonsOf(const Json& grip) {
-  const Json& buttons = memberOf(memberOf(grip, "state"), "buttons");
+std::uint32_t parseButtons(const Json& grip) {
+  const Json& buttons = findMember(findMember(grip, "state"), "buttons");
   std::uint32_t bits = 0;
   std::uint32_t bit = 1;
   for (const char* name : {"a", "b", "c"}) {
-    const Json& button = memberOf(buttons, name);
+    const Json& button = findMember(buttons, name);
     if (button.is_boolean() && button.get<bool>()) bits |= bit;
     bit <<= 1;
   }
   return bits;
 }
 
-DeviceReply deviceOf(const std::string& id, const Json& element) {
+DeviceReply parseDevice(const std::string& id, const Json& element) {
   DeviceReply device;
   device.id = id;
-  const Json& config = memberOf(element, "config");
-  device.type = textOf(memberOf(config, "type"));
-  device.handedness = textOf(memberOf(config, "handedness"));
-  const Json& state = memberOf(element, "state");
+  const Json& config = findMember(element, "config");
+  device.type = textOf(findMember(config, "type"));
+  device.handedness = textOf(findMember(config, "handedness"));
+  const Json& state = findMember(element, "state");
   device.has_state = state.is_object();
-  device.place_m = vectorOf(memberOf(state, "cursor_position"), kMaxReachM);
-  device.speed_m_s = vectorOf(memberOf(state, "cursor_velocity"), kMaxSpeedMS).value_or(Vec3::Zero());
+  device.place_m = parseVector(findMember(state, "cursor_position"), kMaxReachM);
+  device.speed_m_s = parseVector(findMember(state, "cursor_velocity"), kMaxSpeedMS).value_or(Vec3::Zero());
   return device;
 }
 
@@ -80,10 +80,10 @@ void readDevices(const Json& list, Reply& reply) {
     for (const auto& [id, element] : list.items()) devices.emplace_back(id, &element);
     std::sort(devices.begin(), devices.end());
   } else {
-    for (const Json& element : list) devices.emplace_back(textOf(memberOf(element, "device_id")), &element);
+    for (const Json& element : list) devices.emplace_back(textOf(findMember(element, "device_id")), &element);
   }
   for (const auto& [id, element] : devices) {
-    if (isId(id)) reply.devices.push_back(deviceOf(id, *element));
+    if (isId(id)) reply.devices.push_back(parseDevice(id, *element));
     if (reply.devices.size() == kMaxDevices) return;
   }
 }
@@ -115,17 +115,17 @@ Reply parseReply(std::string_view text) {
   if (text.size() > kMaxReplyBytes) return reply;
   const Json json = Json::tryParse(text);
   if (!json.is_object()) return reply;
-  const Json& list = memberOf(json, "inverse3");
+  const Json& list = findMember(json, "inverse3");
   if (!list.is_array() && !list.is_object()) {
-    const std::string words = textOf(memberOf(json, "error"));
+    const std::string words = textOf(findMember(json, "error"));
     reply.wrong = "the service's answer has no devices" + (words.empty() ? "" : ": " + words);
     return reply;
   }
   reply.wrong.clear();
   readDevices(list, reply);
-  const Json& grips = memberOf(json, "wireless_verse_grip");
+  const Json& grips = findMember(json, "wireless_verse_grip");
   for (std::size_t i = 0; grips.is_array() && i < std::min(grips.size(), reply.devices.size()); ++i) {
-    reply.devices[i].buttons = buttonsOf(grips[i]);
+    reply.devices[i].buttons = parseButtons(grips[i]);
   }
   return reply;
 }
@@ -133,14 +133,14 @@ Reply parseReply(std::string_view text) {
 Version parseVersion(std::string_view text) {
   Version version;
   if (text.size() > kMaxReplyBytes) return version;
-  version.words = textOf(memberOf(Json::tryParse(text), "project_version"));
+  version.words = textOf(findMember(Json::tryParse(text), "project_version"));
   std::string_view words = version.words;
   version.major = nextPart(words);
   version.minor = nextPart(words);
   return version;
 }
 
-ForceKey forceKeyOf(ForceKey wanted, const Version& version, bool old_port) {
+ForceKey chooseForceKey(ForceKey wanted, const Version& version, bool old_port) {
   if (wanted != ForceKey::automatic) return wanted;
   if (version.major == 0) return old_port ? ForceKey::values : ForceKey::vector;
   return version.major == 3 && version.minor < 5 ? ForceKey::values : ForceKey::vector;

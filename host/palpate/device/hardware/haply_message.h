@@ -56,7 +56,7 @@ enum class ForceKey : std::uint8_t {
   values,     ///< before
 };
 
-ForceKey forceKeyOf(ForceKey wanted, const Version& version, bool old_port);
+ForceKey chooseForceKey(ForceKey wanted, const Version& version, bool old_port);
 
 /// Orders for one device in one message.
 struct DeviceOrder {

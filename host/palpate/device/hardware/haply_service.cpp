@@ -55,7 +55,7 @@ Address addressIn(std::string_view part) {
   return {std::string(part.substr(0, colon)), portIn(part.substr(colon + 1), part)};
 }
 
-void takePart(std::string_view part, Settings& settings) {
+void parseSetting(std::string_view part, Settings& settings) {
   const std::size_t equals = part.find('=');
   if (equals == std::string_view::npos) {
     settings.addresses = {addressIn(part)};
@@ -157,7 +157,7 @@ Settings settingsOf(const std::string& said) {
   settings.words = said;
   if (said.empty()) settings.words = system::variable(kServiceVariable);
   if (settings.words.empty()) return settings;
-  for (const std::string_view part : split(settings.words, ',')) takePart(part, settings);
+  for (const std::string_view part : split(settings.words, ',')) parseSetting(part, settings);
   return settings;
 }
 
@@ -172,7 +172,7 @@ Service findService(const Settings& settings, const std::filesystem::path& syste
       return fmt::format("{} devices", service.snapshot.devices.size());
     });
     service.version = askVersion(settings, address, probe);
-    service.force_key = forceKeyOf(settings.force_key, service.version, address.port == kOldPort);
+    service.force_key = chooseForceKey(settings.force_key, service.version, address.port == kOldPort);
     probe.version = service.version.words;
     if (refuseVersion(service.version, probe)) {
       service.connection.reset();

@@ -36,14 +36,14 @@ Capabilities capabilitiesOf(const DeviceReply& device, const Service& service, d
   able.rate_hz = kExchangesPerS;
   able.delay_ticks = 1;
   able.rhythm = Rhythm::blocking;
-  able.model = modelOf(device);
+  able.model = describeModel(device);
   // A Minverse is another device, whose figures are unknown.
   if (device.type.starts_with("inverse3")) able.kind = scene::DeviceModel::inverse3;
   able.version = service.version.words;
   return able;
 }
 
-std::string idsOf(const Reply& snapshot) {
+std::string joinDeviceIds(const Reply& snapshot) {
   std::vector<std::string> ids;
   for (const DeviceReply& device : snapshot.devices) ids.push_back(device.id);
   return fmt::format("{}", fmt::join(ids, ", "));
@@ -53,7 +53,7 @@ Added refused(std::string reason, std::string remedy) { return {nullptr, std::mo
 
 }  // namespace
 
-std::string modelOf(const DeviceReply& device) {
+std::string describeModel(const DeviceReply& device) {
   std::string model = device.type.empty() ? "Haply device" : device.type;
   if (model == "inverse3") model = "Inverse3";
   if (model == "inverse3x") model = "Inverse3x";
@@ -62,13 +62,13 @@ std::string modelOf(const DeviceReply& device) {
   return fmt::format("{} {}{}", model, device.id, hand);
 }
 
-Added whyNoneOf(const Service& service, const std::string& which) {
+Added explainMissingDevice(const Service& service, const std::string& which) {
   if (service.snapshot.devices.empty()) {
     return refused("the service knows no device",
                    "plug the device in, switch it on, and look at the service's own page");
   }
   return refused(fmt::format("the service has no device '{}'", oneLine(which)),
-                 fmt::format("say haply:left, haply:right or haply:ID of {}", idsOf(service.snapshot)));
+                 fmt::format("say haply:left, haply:right or haply:ID of {}", joinDeviceIds(service.snapshot)));
 }
 
 bool Session::isHeld(const std::string& id) const {
@@ -81,7 +81,7 @@ Added Session::choose(const Service& service, const OpenOptions& options) {
   const auto is_meant = [&](const DeviceReply& device) {
     return which.empty() || device.id == which || device.handedness == which;
   };
-  if (std::none_of(devices.begin(), devices.end(), is_meant)) return whyNoneOf(service, which);
+  if (std::none_of(devices.begin(), devices.end(), is_meant)) return explainMissingDevice(service, which);
   for (const DeviceReply& device : devices) {
     if (!is_meant(device) || isHeld(device.id)) continue;
     Added added;
@@ -159,7 +159,7 @@ void Session::exchangeInTurn() noexcept {
     askAndTell();
   } catch (const std::exception& error) {
     connection_.reset();
-    for (const auto& slot : slots_) tellTrouble(*slot, error.what());
+    for (const auto& slot : slots_) publishTrouble(*slot, error.what());
   }
 }
 
@@ -170,7 +170,7 @@ void Session::askAndTell() {
     if (slot->listed) orders.push_back({slot->id, force, !slot->configured, slot->leaving});
   }
   if (!connection_) {
-    for (const auto& slot : slots_) tellTrouble(*slot, {});
+    for (const auto& slot : slots_) publishTrouble(*slot, {});
     return;
   }
   const auto since = Clock::now();
@@ -178,17 +178,17 @@ void Session::askAndTell() {
   introduced_ = true;
   const Reply reply = parseReply(connection_->receive());
   const bool late = by_clock_ && secondsSince(since) > kMaxPoseTicks * tick_s_;
-  for (const auto& slot : slots_) tell(*slot, reply, late);
+  for (const auto& slot : slots_) publishReply(*slot, reply, late);
 }
 
-void Session::tell(Slot& slot, const Reply& reply, bool late) {
-  if (!reply.wrong.empty()) return tellTrouble(slot, reply.wrong);
+void Session::publishReply(Slot& slot, const Reply& reply, bool late) {
+  if (!reply.wrong.empty()) return publishTrouble(slot, reply.wrong);
   const auto found = std::find_if(reply.devices.begin(), reply.devices.end(),
                                   [&](const DeviceReply& device) { return device.id == slot.id; });
   slot.configured = slot.listed && found != reply.devices.end();
   slot.listed = found != reply.devices.end();
-  if (!slot.listed) return tellTrouble(slot, fmt::format("the service has lost device {}", slot.id));
-  if (!found->has_state) return tellTrouble(slot, fmt::format("the service says nothing of device {}", slot.id));
+  if (!slot.listed) return publishTrouble(slot, fmt::format("the service has lost device {}", slot.id));
+  if (!found->has_state) return publishTrouble(slot, fmt::format("the service says nothing of device {}", slot.id));
   DriverReading reading;
   reading.tip = found->place_m ? slot.frame.placeInBody(*found->place_m) : kNoPlace;
   reading.velocity = slot.frame.motionInBody(found->speed_m_s);
@@ -198,7 +198,7 @@ void Session::tell(Slot& slot, const Reply& reply, bool late) {
 }
 
 /// Without words: those of before still hold.
-void Session::tellTrouble(Slot& slot, const std::string& trouble) noexcept {
+void Session::publishTrouble(Slot& slot, const std::string& trouble) noexcept {
   DriverReading reading;
   reading.faults = kDriverError;
   slot.link.publish(reading);
@@ -238,7 +238,7 @@ std::string Session::explain(const Slot& slot) {
   return {};
 }
 
-std::shared_ptr<Session> sessionOf(const Settings& settings) {
+std::shared_ptr<Session> sharedSession(const Settings& settings) {
   static std::mutex mutex;
   static std::map<std::string, std::weak_ptr<Session>> sessions;
   const std::lock_guard lock(mutex);

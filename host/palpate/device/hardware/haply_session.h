@@ -125,8 +125,8 @@ class Session {
   void exchange() noexcept;
   void exchangeInTurn() noexcept;
   void askAndTell();
-  void tell(Slot& slot, const Reply& reply, bool late);
-  void tellTrouble(Slot& slot, const std::string& trouble) noexcept;
+  void publishReply(Slot& slot, const Reply& reply, bool late);
+  void publishTrouble(Slot& slot, const std::string& trouble) noexcept;
   void setTrouble(Slot& slot, const std::string& trouble);
   Added choose(const Service& service, const OpenOptions& options);
   bool isHeld(const std::string& id) const;
@@ -148,12 +148,12 @@ class Session {
 };
 
 /// "Inverse3 049D, right"
-std::string modelOf(const DeviceReply& device);
+std::string describeModel(const DeviceReply& device);
 
 /// Reports why the service lacks a device of that name, and the remedy.
-Added whyNoneOf(const Service& service, const std::string& which);
+Added explainMissingDevice(const Service& service, const std::string& which);
 
 /// The session of these settings, shared by all devices that are open.
-std::shared_ptr<Session> sessionOf(const Settings& settings);
+std::shared_ptr<Session> sharedSession(const Settings& settings);
 
 }  // namespace palpate::device::haply

@@ -50,7 +50,7 @@ void lookForConfiguration(Probe& probe) {
 
 /// Opens it for a moment. One that this program holds already is there.
 void tryDevice(const openhaptics::Loaded& loaded, const OpenOptions& options, Probe& probe) {
-  const std::shared_ptr<openhaptics::Session> session = openhaptics::sessionOf(loaded);
+  const std::shared_ptr<openhaptics::Session> session = openhaptics::sharedSession(loaded);
   probe.devices = session->heldDevices();
   probe.available = !probe.devices.empty();
   if (probe.available) return;
@@ -104,7 +104,7 @@ Device openOpenHaptics(const OpenOptions& options) {
   Probe probe;
   reportLibrary({kLibraryWords, loaded.library, loaded.missing, remedies()}, probe);
   if (!probe.reason.empty()) throw Error(whyNot(backEndNamed("openhaptics"), probe));
-  const std::shared_ptr<openhaptics::Session> session = openhaptics::sessionOf(loaded);
+  const std::shared_ptr<openhaptics::Session> session = openhaptics::sharedSession(loaded);
   openhaptics::Added added = session->add(options);
   if (!added.slot) {
     probe.reason = added.reason;

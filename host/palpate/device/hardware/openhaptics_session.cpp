@@ -36,7 +36,7 @@ constexpr int kMaxErrors = 16;
 /// How long a release waits for a frame with zero force, s; a stopped driver cannot send it.
 constexpr double kRestS = 0.05;
 
-std::uint32_t noteOf(std::uint32_t code) {
+std::uint32_t noteFlag(std::uint32_t code) {
   switch (code) {
     case kWarmMotorsError:
       return kWarmMotors;
@@ -78,7 +78,7 @@ constexpr std::array kModelNames = {
 
 }  // namespace
 
-scene::DeviceModel kindOf(std::string_view model) {
+scene::DeviceModel findDeviceModel(std::string_view model) {
   const std::string lower = inSmallLetters(model);
   for (const ModelName& name : kModelNames) {
     if (lower.find(name.part) != std::string::npos && lower.find(name.other_part) != std::string::npos) {
@@ -119,7 +119,7 @@ void Session::serve(Slot& slot) noexcept {
   const Vec3 force = slot.frame.forceInDevice(slot.link.dueForce());
   api_.set_doubles(kCurrentForce, force.data());
   api_.end_frame(slot.handle);
-  takeErrors(slot);
+  drainErrors(slot);
   reading.tip = slot.frame.placeInBody(place);
   reading.velocity = slot.frame.motionInBody(velocity);
   reading.buttons = static_cast<std::uint32_t>(buttons);
@@ -144,7 +144,7 @@ void Session::checkCalibration(Slot& slot) noexcept {
   }
 }
 
-void Session::takeErrors(Slot& slot) noexcept {
+void Session::drainErrors(Slot& slot) noexcept {
   for (int i = 0; i < kMaxErrors; ++i) {
     const ErrorInfo error = api_.get_error();
     if (error.code == kSuccess) return;
@@ -153,7 +153,7 @@ void Session::takeErrors(Slot& slot) noexcept {
       if (other->handle == error.device) owner = other.get();
     }
     if (isHarmless(error.code)) {
-      owner->notes |= noteOf(error.code);
+      owner->notes |= noteFlag(error.code);
     } else {
       owner->faults |= kDriverError;
     }
@@ -201,7 +201,7 @@ Handle Session::firstFree(const OpenOptions& options, std::string& name, std::ui
   return kInvalidHandle;
 }
 
-Capabilities Session::capabilitiesOf(Handle handle, const DeviceFrame& frame) const {
+Capabilities Session::readCapabilities(Handle handle, const DeviceFrame& frame) const {
   Capabilities able;
   api_.make_current(handle);
   const auto number = [&](std::uint32_t parameter) {
@@ -226,7 +226,7 @@ Capabilities Session::capabilitiesOf(Handle handle, const DeviceFrame& frame) co
   able.delay_ticks = 1;
   able.rhythm = Rhythm::self_paced;
   able.model = text(kModelType);
-  able.kind = kindOf(able.model);
+  able.kind = findDeviceModel(able.model);
   able.version = text(kApiVersion);
   firstError();  // a device answers unknown parameters with an error
   return able;
@@ -243,7 +243,7 @@ Added Session::initialise(const OpenOptions& options, const DeviceFrame& frame) 
     added.remedy = wordsOf(error == kSuccess ? std::uint32_t{0x300} : error).remedy;
     return added;
   }
-  const Capabilities able = capabilitiesOf(handle, frame);
+  const Capabilities able = readCapabilities(handle, frame);
   api_.enable(kForceOutput);  // applies to the current device
   added.slot = std::make_shared<Slot>(DriverLinkSettings{options.tick_s, able.rate_hz, able.max_force_n}, frame);
   added.slot->name = name;
@@ -378,7 +378,7 @@ Loaded load(const OpenOptions& options) {
   return loaded;
 }
 
-std::shared_ptr<Session> sessionOf(const Loaded& loaded) {
+std::shared_ptr<Session> sharedSession(const Loaded& loaded) {
   static std::mutex mutex;
   static std::map<void*, std::weak_ptr<Session>> sessions;
   const std::lock_guard lock(mutex);

@@ -110,7 +110,7 @@ std::vector<std::string> libraryNames(const std::string& file);
 std::vector<std::string> resolveApi(const SharedLibrary& library, Api& api);
 
 /// The kind of device that calls itself so: "PHANTOM Omni". Unknown for a name that is not listed.
-scene::DeviceModel kindOf(std::string_view model);
+scene::DeviceModel findDeviceModel(std::string_view model);
 
 /// One device on the scheduler. Members without a remark belong to the scheduler's thread while it runs.
 struct Slot {
@@ -157,10 +157,10 @@ class Session {
   static std::uint32_t onTick(void* session);
   void serve(Slot& slot) noexcept;
   void checkCalibration(Slot& slot) noexcept;
-  void takeErrors(Slot& slot) noexcept;
+  void drainErrors(Slot& slot) noexcept;
   Added initialise(const OpenOptions& options, const DeviceFrame& frame);
   Handle firstFree(const OpenOptions& options, std::string& name, std::uint32_t& error);
-  Capabilities capabilitiesOf(Handle handle, const DeviceFrame& frame) const;
+  Capabilities readCapabilities(Handle handle, const DeviceFrame& frame) const;
   bool isOnScheduler(Handle handle) const;
   bool anotherFeels(const Slot& slot) const;
   void waitForRest(const Slot& slot) const;
@@ -185,6 +185,6 @@ struct Loaded {
 Loaded load(const OpenOptions& options);
 
 /// The session of a library, shared by all devices that are open.
-std::shared_ptr<Session> sessionOf(const Loaded& loaded);
+std::shared_ptr<Session> sharedSession(const Loaded& loaded);
 
 }  // namespace palpate::device::openhaptics

@@ -44,9 +44,9 @@ class HeldPlugin {
   std::mutex mutex_;
 };
 
-plugin::Wanted wantedOf(const OpenOptions& options) {
+plugin::Wanted parsePluginName(const OpenOptions& options) {
   if (!options.library.empty()) return {options.library, options.which};
-  return plugin::wantedOf(options.which);
+  return plugin::parsePluginName(options.which);
 }
 
 /// Checks whether the plugin's device would open; a row of the report.
@@ -57,15 +57,15 @@ Probe probeOne(const plugin::Wanted& wanted) {
   probe.remedy = found.remedy;
   probe.looked_for.push_back({"a plugin", found.file, found.table != nullptr, found.reason});
   if (found.table == nullptr) return probe;
-  probe.looked_for.back().words = fmt::format("{}: {}", plugin::nameOf(found), plugin::aboutOf(found));
+  probe.looked_for.back().words = fmt::format("{}: {}", plugin::nameOf(found), plugin::pluginDescription(found));
   probe.version = fmt::format("palpate_device.h {}", found.table->version);
   if (found.table->probe != nullptr) {
     std::array<char, plugin::kWordsRoom> reason{};
     std::array<char, plugin::kWordsRoom> remedy{};
     const auto room = static_cast<std::uint32_t>(plugin::kWordsRoom);
     if (found.table->probe(wanted.which.c_str(), reason.data(), room, remedy.data(), room) < 0) {
-      probe.reason = fmt::format("{}: {}", plugin::nameOf(found), plugin::wordsIn(reason.data(), reason.size()));
-      probe.remedy = plugin::wordsIn(remedy.data(), remedy.size());
+      probe.reason = fmt::format("{}: {}", plugin::nameOf(found), plugin::boundedText(reason.data(), reason.size()));
+      probe.remedy = plugin::boundedText(remedy.data(), remedy.size());
       if (probe.remedy.empty()) probe.remedy = "ask whoever wrote the plugin";
       return probe;
     }
@@ -113,12 +113,12 @@ Probe probeAll() {
 }  // namespace
 
 Probe probePlugin(const OpenOptions& options) {
-  const plugin::Wanted wanted = wantedOf(options);
+  const plugin::Wanted wanted = parsePluginName(options);
   return wanted.file.empty() ? probeAll() : probeOne(wanted);
 }
 
 Device openPlugin(const OpenOptions& options) {
-  const plugin::Wanted wanted = wantedOf(options);
+  const plugin::Wanted wanted = parsePluginName(options);
   Probe probe = wanted.file.empty() ? noneNamed() : Probe{};
   plugin::Opened opened;
   if (!wanted.file.empty()) {

@@ -31,13 +31,13 @@ static_assert(PALPATE_DEVICE_VELOCITY_EXCEEDED == kVelocityExceeded && PALPATE_D
 
 double sensible(double value, double most) { return value > 0.0 && value <= most ? value : 0.0; }
 
-Vec3 vectorOf(const double (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
+Vec3 toVec3(const double (&numbers)[3]) { return {numbers[0], numbers[1], numbers[2]}; }
 
 bool isWithin(const Vec3& vector, double most) { return vector.allFinite() && vector.cwiseAbs().maxCoeff() <= most; }
 
 Box3 reachOf(const palpate_device_capabilities& able, const DeviceFrame& frame) {
-  const Vec3 low = vectorOf(able.reach_min_mm);
-  const Vec3 high = vectorOf(able.reach_max_mm);
+  const Vec3 low = toVec3(able.reach_min_mm);
+  const Vec3 high = toVec3(able.reach_max_mm);
   Box3 reach;
   if (!isWithin(low, kMaxReachMm) || !isWithin(high, kMaxReachMm) || !(low.array() < high.array()).all()) return reach;
   reach.extend(frame.placeInBody(low));
@@ -47,12 +47,12 @@ Box3 reachOf(const palpate_device_capabilities& able, const DeviceFrame& frame) 
 
 }  // namespace
 
-std::string wordsIn(const char* room, std::size_t bytes) {
+std::string boundedText(const char* room, std::size_t bytes) {
   if (room == nullptr) return {};
   return oneLine({room, static_cast<std::size_t>(std::find(room, room + bytes, '\0') - room)}, bytes);
 }
 
-std::string whatIsWrong(const palpate_device_table* table) {
+std::string findFault(const palpate_device_table* table) {
   if (table == nullptr) {
     return fmt::format("it gives no table: it wants another palpate_device.h than version {}", PALPATE_DEVICE_VERSION);
   }
@@ -74,7 +74,7 @@ std::string whatIsWrong(const palpate_device_table* table) {
   return missing.empty() ? std::string() : fmt::format("its table lacks {}", fmt::join(missing, ", "));
 }
 
-Capabilities capabilitiesOf(const palpate_device_capabilities& able, const DeviceFrame& frame) {
+Capabilities checkedCapabilities(const palpate_device_capabilities& able, const DeviceFrame& frame) {
   Capabilities said;
   said.takes_force = true;
   said.max_force_n = sensible(able.max_force_n, kMaxForceN);
@@ -85,19 +85,19 @@ Capabilities capabilitiesOf(const palpate_device_capabilities& able, const Devic
   said.delay_ticks = 1;
   const bool at_once = (able.flags & PALPATE_DEVICE_ANSWERS_AT_ONCE) != 0;
   said.rhythm = at_once ? Rhythm::on_call : Rhythm::blocking;
-  said.model = wordsIn(able.model, sizeof(able.model));
-  said.version = wordsIn(able.version, sizeof(able.version));
+  said.model = boundedText(able.model, sizeof(able.model));
+  said.version = boundedText(able.version, sizeof(able.version));
   return said;
 }
 
-DriverReading readingOf(int answer, const palpate_device_reading& reading, const DeviceFrame& frame, double tick_s) {
+DriverReading checkReading(int answer, const palpate_device_reading& reading, const DeviceFrame& frame, double tick_s) {
   DriverReading found;
   if (answer < 0) {
     found.faults = kDriverError;
     return found;
   }
-  const Vec3 tip = vectorOf(reading.tip_mm);
-  const Vec3 velocity = vectorOf(reading.velocity_mm_s);
+  const Vec3 tip = toVec3(reading.tip_mm);
+  const Vec3 velocity = toVec3(reading.velocity_mm_s);
   found.tip = isWithin(tip, kMaxPlaceMm) ? frame.placeInBody(tip) : kNoPlace;
   found.velocity = isWithin(velocity, kMaxSpeedMmS) ? frame.motionInBody(velocity) : Vec3::Zero();
   found.buttons = reading.buttons;

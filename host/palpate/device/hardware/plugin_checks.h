@@ -18,15 +18,15 @@ inline constexpr std::size_t kMaxNameBytes = 128;
 inline constexpr std::size_t kWordsRoom = 512;
 
 /// The fault of a table; empty: none.
-std::string whatIsWrong(const palpate_device_table* table);
+std::string findFault(const palpate_device_table* table);
 
 /// The text in a room of `bytes` bytes, fit for a message: it ends at its first NUL or where the room does.
-std::string wordsIn(const char* room, std::size_t bytes);
+std::string boundedText(const char* room, std::size_t bytes);
 
 /// Invalid sizes become "does not say", an invalid box becomes empty.
-Capabilities capabilitiesOf(const palpate_device_capabilities& able, const DeviceFrame& frame);
+Capabilities checkedCapabilities(const palpate_device_capabilities& able, const DeviceFrame& frame);
 
 /// A checked reading in the body frame: not a number, too far and too old are faults.
-DriverReading readingOf(int answer, const palpate_device_reading& reading, const DeviceFrame& frame, double tick_s);
+DriverReading checkReading(int answer, const palpate_device_reading& reading, const DeviceFrame& frame, double tick_s);
 
 }  // namespace palpate::device::plugin

@@ -28,7 +28,7 @@ DriverLinkSettings linkSettings(const OpenOptions& options, const Capabilities& 
 palpate_device_handle openHandle(const palpate_device_table& table, const std::string& which, std::string& reason) {
   Room room{};
   palpate_device_handle device = table.open(which.c_str(), room.data(), kWordsRoom);
-  if (device == nullptr) reason = wordsIn(room.data(), room.size());
+  if (device == nullptr) reason = boundedText(room.data(), room.size());
   if (device == nullptr && reason.empty()) reason = "it does not open, and does not say why";
   return device;
 }
@@ -40,23 +40,23 @@ Driver::Driver(const palpate_device_table& table, palpate_device_handle device, 
     : table_(table),
       device_(device),
       frame_(frame),
-      capabilities_(capabilitiesOf(able, frame)),
+      capabilities_(checkedCapabilities(able, frame)),
       link_(linkSettings(options, capabilities_)),
       which_(std::move(which)),
       tick_s_(options.tick_s) {}
 
-int Driver::tellForce(const Vec3& force) noexcept {
+int Driver::sendForce(const Vec3& force) noexcept {
   const Vec3 newtons = frame_.forceInDevice(force);
   return table_.write(device_, newtons.data());
 }
 
-bool Driver::takeReading(int told) noexcept {
+bool Driver::fetchReading(int told) noexcept {
   palpate_device_reading reading{};
   reading.size = sizeof(reading);
   const int got = table_.read(device_, &reading);
   if (got == PALPATE_DEVICE_NOT_YET && told >= 0) return true;
   const bool failed = told < 0 || got < 0;
-  link_.publish(readingOf(failed ? PALPATE_DEVICE_ERROR : got, reading, frame_, tick_s_));
+  link_.publish(checkReading(failed ? PALPATE_DEVICE_ERROR : got, reading, frame_, tick_s_));
   return !failed;
 }
 
@@ -67,7 +67,7 @@ void Driver::exchange() noexcept {
     DriverReading reading;
     reading.faults = kDriverError;
     link_.publish(reading);
-  } else if (takeReading(tellForce(force))) {
+  } else if (fetchReading(sendForce(force))) {
     refusals_ = 0;
   } else {
     refused();
@@ -76,27 +76,27 @@ void Driver::exchange() noexcept {
 
 void Driver::refused() noexcept {
   {
-    std::string words = pluginsWords();
+    std::string words = pluginErrorText();
     const std::lock_guard lock(words_mutex_);
     trouble_ = std::move(words);
   }
   if (++refusals_ < kLostAfter) return;
-  tellForce(Vec3::Zero());
+  sendForce(Vec3::Zero());
   table_.close(device_);
   device_ = nullptr;
 }
 
-std::string Driver::pluginsWords() noexcept {
+std::string Driver::pluginErrorText() noexcept {
   Room room{};
   if (table_.explain != nullptr) table_.explain(device_, room.data(), kWordsRoom);
-  const std::string words = wordsIn(room.data(), room.size());
+  const std::string words = boundedText(room.data(), room.size());
   return fmt::format("the plugin reports: {}", words.empty() ? "no reason given" : words);
 }
 
 Vec3 Driver::read(std::uint64_t tick) noexcept {
   if (!answersAtOnce()) return link_.read(tick);
   servo_is_in_ = true;
-  if (!gone_) takeReading(told_);
+  if (!gone_) fetchReading(told_);
   servo_is_in_ = false;
   return link_.read(tick);
 }
@@ -105,7 +105,7 @@ void Driver::write(const Vec3& force) noexcept {
   link_.write(force);
   if (!answersAtOnce()) return;
   servo_is_in_ = true;
-  if (!gone_) told_ = tellForce(link_.dueForce());
+  if (!gone_) told_ = sendForce(link_.dueForce());
   servo_is_in_ = false;
 }
 
@@ -115,7 +115,7 @@ void Driver::letGo() noexcept {
   link_.mute();
   while (servo_is_in_) std::this_thread::yield();
   if (device_ == nullptr) return;
-  tellForce(Vec3::Zero());
+  sendForce(Vec3::Zero());
   table_.close(device_);
   device_ = nullptr;
 }
@@ -137,7 +137,7 @@ std::string Driver::explain() {
   if (faults == 0 || gone_) return {};
   if ((faults & kDriverError) != 0 && answersAtOnce()) {
     const std::lock_guard turn(turns_);
-    return device_ == nullptr ? std::string() : pluginsWords();
+    return device_ == nullptr ? std::string() : pluginErrorText();
   }
   if ((faults & kDriverError) != 0) {
     const std::lock_guard lock(words_mutex_);

@@ -35,7 +35,7 @@ Plugin load(const std::string& file);
 
 /// "point_mass"
 std::string nameOf(const Plugin& plugin);
-std::string aboutOf(const Plugin& plugin);
+std::string pluginDescription(const Plugin& plugin);
 
 /// The folders of the environment's variable.
 std::vector<std::filesystem::path> folders();
@@ -48,7 +48,7 @@ struct Wanted {
 };
 /// "PATH", "PATH:WHICH", or a NAME short for NAME.so or libNAME.so in one of the folders. A colon that belongs to a
 /// file's name stays in it.
-Wanted wantedOf(const std::string& words);
+Wanted parsePluginName(const std::string& words);
 
 /// Exchanges a second with a plugin that may wait: two to a tick of the servo, so that neither waits for the other.
 inline constexpr double kExchangesPerS = 2000.0;
@@ -81,11 +81,11 @@ class Driver {
   std::string explain();
 
  private:
-  int tellForce(const Vec3& force) noexcept;
+  int sendForce(const Vec3& force) noexcept;
   /// True when there was something new.
-  bool takeReading(int told) noexcept;
+  bool fetchReading(int told) noexcept;
   void refused() noexcept;
-  std::string pluginsWords() noexcept;
+  std::string pluginErrorText() noexcept;
 
   const palpate_device_table& table_;
   palpate_device_handle device_;  ///< null: given up

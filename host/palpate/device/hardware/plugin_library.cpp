@@ -66,7 +66,7 @@ Plugin load(const std::string& file) {
     return plugin;
   }
   const auto* table = function(PALPATE_DEVICE_VERSION);
-  plugin.reason = whatIsWrong(table);
+  plugin.reason = findFault(table);
   if (plugin.reason.empty()) {
     plugin.table = table;
     plugin.remedy.clear();
@@ -76,8 +76,8 @@ Plugin load(const std::string& file) {
   return plugin;
 }
 
-std::string nameOf(const Plugin& plugin) { return wordsIn(plugin.table->name, kMaxNameBytes); }
-std::string aboutOf(const Plugin& plugin) { return wordsIn(plugin.table->about, kMaxNameBytes); }
+std::string nameOf(const Plugin& plugin) { return boundedText(plugin.table->name, kMaxNameBytes); }
+std::string pluginDescription(const Plugin& plugin) { return boundedText(plugin.table->about, kMaxNameBytes); }
 
 std::vector<fs::path> folders() {
   const std::string said = system::variable(kFoldersVariable);
@@ -101,7 +101,7 @@ std::vector<std::string> filesIn(const std::vector<fs::path>& folders) {
   return files;
 }
 
-Wanted wantedOf(const std::string& words) {
+Wanted parsePluginName(const std::string& words) {
   const std::string whole = fileNamed(words);
   const std::size_t colon = words.rfind(':');
   if (colon == std::string::npos || isFile(pathOf(whole))) return {whole, {}};
@@ -112,7 +112,8 @@ Wanted wantedOf(const std::string& words) {
 
 namespace palpate::device {
 
-/// wantedOf takes a file here for the name before it looks at what is before the colon: that must not be one either.
+/// parsePluginName takes a file here for the name before it looks at what is before the colon: that must not be one
+/// either.
 bool isPluginOfFolders(const std::string& which) {
   if (!plugin::fileInFolders(which).empty()) return true;
   const std::size_t colon = which.rfind(':');

@@ -22,7 +22,7 @@ bool wasFound(const LibraryAttempt& attempt) {
 }  // namespace
 
 void* SharedLibrary::symbol(const char* name) const {
-  return handle == nullptr ? nullptr : system::symbolOf(handle, name);
+  return handle == nullptr ? nullptr : system::findSymbol(handle, name);
 }
 
 std::string missingDependency(std::string_view words, std::string_view wanted) {

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 /// The kernel's attributes are pages.
 constexpr std::uint64_t kMaxAttributeBytes = 1u << 16;
 
-std::string attributeOf(const fs::path& device, const char* name) {
+std::string readAttribute(const fs::path& device, const char* name) {
   try {
     return oneLine(trimmed(readFile(device / name, kMaxAttributeBytes)));
   } catch (const Error&) {
@@ -37,14 +37,14 @@ bool bears(const UsbDevice& device, const UsbMarks& marks) {
 }
 
 fs::path busNode(const fs::path& attributes, const fs::path& root) {
-  const std::optional<double> bus = parseNumber(attributeOf(attributes, "busnum"));
-  const std::optional<double> number = parseNumber(attributeOf(attributes, "devnum"));
+  const std::optional<double> bus = parseNumber(readAttribute(attributes, "busnum"));
+  const std::optional<double> number = parseNumber(readAttribute(attributes, "devnum"));
   if (!bus || !number) return {};
   return root / fmt::format("dev/bus/usb/{:03.0f}/{:03.0f}", *bus, *number);
 }
 
 /// In the order of their names; empty where the folder cannot be read.
-std::vector<fs::path> entriesOf(const fs::path& folder) {
+std::vector<fs::path> listEntries(const fs::path& folder) {
   std::vector<fs::path> entries;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -58,13 +58,13 @@ std::vector<fs::path> entriesOf(const fs::path& folder) {
 
 std::vector<UsbDevice> usbDevices(const UsbMarks& marks, const fs::path& root) {
   std::vector<UsbDevice> found;
-  for (const fs::path& attributes : entriesOf(root / "sys/bus/usb/devices")) {
+  for (const fs::path& attributes : listEntries(root / "sys/bus/usb/devices")) {
     UsbDevice device;
-    device.vendor_id = attributeOf(attributes, "idVendor");
+    device.vendor_id = readAttribute(attributes, "idVendor");
     if (device.vendor_id.empty()) continue;  // an interface of a device, not one itself
-    device.product_id = attributeOf(attributes, "idProduct");
-    device.maker = attributeOf(attributes, "manufacturer");
-    device.product = attributeOf(attributes, "product");
+    device.product_id = readAttribute(attributes, "idProduct");
+    device.maker = readAttribute(attributes, "manufacturer");
+    device.product = readAttribute(attributes, "product");
     if (!bears(device, marks)) continue;
     device.node = busNode(attributes, root);
     device.may_open = system::mayReadAndWrite(device.node);
@@ -75,7 +75,7 @@ std::vector<UsbDevice> usbDevices(const UsbMarks& marks, const fs::path& root) {
 
 std::vector<UsbDevice> deviceNodes(std::span<const std::string> beginnings, const fs::path& root) {
   std::vector<UsbDevice> found;
-  for (const fs::path& node : entriesOf(root / "dev")) {
+  for (const fs::path& node : listEntries(root / "dev")) {
     const std::string name = node.filename().string();
     const auto begins = [&](const std::string& beginning) { return name.starts_with(beginning); };
     if (!std::any_of(beginnings.begin(), beginnings.end(), begins)) continue;

@@ -23,7 +23,7 @@ double numberAt(std::span<const unsigned char> bytes) noexcept {
 
 }  // namespace
 
-std::optional<Vec3> headPlaceOf(std::span<const unsigned char> message) noexcept {
+std::optional<Vec3> parseHeadPlace(std::span<const unsigned char> message) noexcept {
   if (message.size() != kNumbers * sizeof(double)) return std::nullopt;
   Vec3 place;
   for (int axis = 0; axis < 3; ++axis) place[axis] = kMmInCm * numberAt(message.subspan(sizeof(double) * axis));
@@ -32,7 +32,7 @@ std::optional<Vec3> headPlaceOf(std::span<const unsigned char> message) noexcept
 }
 
 HeadStream::HeadStream(const std::string& which)
-    : socket_(socketAddressOf(which, {.port = kHeadPort}, kHeadTracker), kHeadTracker) {}
+    : socket_(parseSocketAddress(which, {.port = kHeadPort}, kHeadTracker), kHeadTracker) {}
 
 std::optional<Vec3> HeadStream::newest() noexcept {
   std::optional<Vec3> newest;
@@ -42,8 +42,8 @@ std::optional<Vec3> HeadStream::newest() noexcept {
     const int bytes = socket_.port().receive(message, nobody);
     if (bytes < 0) break;
     if (static_cast<std::size_t>(bytes) > message.size()) continue;  // longer than any
-    const std::optional<Vec3> place =
-        headPlaceOf(std::span(reinterpret_cast<const unsigned char*>(message.data()), static_cast<std::size_t>(bytes)));
+    const std::optional<Vec3> place = parseHeadPlace(
+        std::span(reinterpret_cast<const unsigned char*>(message.data()), static_cast<std::size_t>(bytes)));
     if (place) newest = place;
   }
   return newest;

@@ -25,7 +25,7 @@ inline constexpr double kFarthestHeadMm = 2000.0;
 
 /// From the centre, mm; nothing for a message of another length, for numbers that are not finite and beyond
 /// kFarthestHeadMm.
-std::optional<Vec3> headPlaceOf(std::span<const unsigned char> message) noexcept;
+std::optional<Vec3> parseHeadPlace(std::span<const unsigned char> message) noexcept;
 
 /// `which` is a port, or ADDRESS:PORT to listen elsewhere than on this machine; empty: kHeadPort. Throws Error.
 class HeadStream {

@@ -118,7 +118,7 @@ openxr::Handle madeSpace(const openxr::Api& api, openxr::Handle session, openxr:
 }
 
 template <class Event>
-Event eventOf(const openxr::EventDataBuffer& buffer) noexcept {
+Event toEvent(const openxr::EventDataBuffer& buffer) noexcept {
   static_assert(std::is_trivially_copyable_v<Event> && sizeof(Event) <= sizeof(buffer));
   Event event;
   std::memcpy(static_cast<void*>(&event), &buffer, sizeof(event));
@@ -165,16 +165,16 @@ struct OpenXrHead::Impl {
     }
   }
 
-  void takeEvents() noexcept {
+  void pollEvents() noexcept {
     for (int i = 0; i < kMaxEvents && !lost; ++i) {
       openxr::EventDataBuffer buffer;
       const openxr::Result result = api.poll_event(instance, &buffer);
       if (result == openxr::kInstanceLost) lost = true;
       if (result != openxr::kSuccess) return;
       if (buffer.type == openxr::kSessionStateChangedType) {
-        follow(eventOf<openxr::SessionStateChanged>(buffer).state);
+        follow(toEvent<openxr::SessionStateChanged>(buffer).state);
       } else if (buffer.type == openxr::kReferenceSpaceChangePendingType) {
-        const auto change = eventOf<openxr::ReferenceSpaceChangePending>(buffer);
+        const auto change = toEvent<openxr::ReferenceSpaceChangePending>(buffer);
         if (change.kind == openxr::kLocalSpace) centred_at = change.time;
       } else if (buffer.type == openxr::kInstanceLossPendingType) {
         lost = true;
@@ -220,7 +220,7 @@ OpenXrHead::~OpenXrHead() = default;
 
 std::optional<Vec3> OpenXrHead::newest() noexcept {
   if (impl_->lost) return std::nullopt;
-  impl_->takeEvents();
+  impl_->pollEvents();
   if (!impl_->running || impl_->lost) return std::nullopt;
   const std::optional<openxr::Time> now = impl_->now();
   if (!now) return std::nullopt;

@@ -61,7 +61,7 @@ struct Assimp {
 
 template <class Function>
 void find(void* library, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(system::symbolOf(library, name));
+  function = reinterpret_cast<Function>(system::findSymbol(library, name));
   if (function == nullptr) throw Error(std::string(PALPATE_ASSIMP_FILE) + " has no " + name);
 }
 

@@ -80,7 +80,7 @@ std::string inQuotes(std::string_view text);
 std::string showNumber(double value);
 std::string showNumbers(const std::vector<double>& values);
 std::string rangeSuffix(const Range& range);
-std::string choiceWords(const std::vector<std::string>& choices);
+std::string formatChoices(const std::vector<std::string>& choices);
 
 /// A way from the settings to one number, text, ... of them; lets a key reach into a nested struct.
 template <class S, class T>
@@ -163,7 +163,7 @@ Key<S> file(std::string name, Access<S, std::filesystem::path> at, std::string m
 template <class S, class E>
 Key<S> choice(std::string name, Access<S, E> at, std::string meaning) {
   return {std::move(name),
-          choiceWords(wordList<E>()),
+          formatChoices(wordList<E>()),
           std::move(meaning),
           [at](S& s, const Entry& e) { at(s) = readChoice<E>(e); },
           [at](const S& s) { return fmt::format("\"{}\"", wordFor(valueOf<S, E>(at, s))); },

@@ -31,7 +31,7 @@ class Descent {
     for (int i = 0; i < kMaxSteps && damping < 1e12; ++i) {
       fit.jacobian = jacobianAt(fit.numbers);
       fit.at_bound = heldBack(fit.numbers, fit.jacobian.transpose() * rest);
-      const Eigen::VectorXd next = clamped(fit.numbers + stepOf(fit, rest, damping));
+      const Eigen::VectorXd next = clamped(fit.numbers + dampedStep(fit, rest, damping));
       if (isNoStep(next - fit.numbers)) break;
       const Eigen::VectorXd next_rest = residuals_(next);
       if (!(next_rest.squaredNorm() < fit.squares)) {
@@ -49,12 +49,12 @@ class Descent {
   }
 
  private:
-  double width(Eigen::Index i) const { return boundsOf(i).high - boundsOf(i).low; }
-  const Bounds& boundsOf(Eigen::Index i) const { return bounds_[static_cast<std::size_t>(i)]; }
+  double width(Eigen::Index i) const { return boundsAt(i).high - boundsAt(i).low; }
+  const Bounds& boundsAt(Eigen::Index i) const { return bounds_[static_cast<std::size_t>(i)]; }
 
   Eigen::VectorXd clamped(Eigen::VectorXd numbers) const {
     for (Eigen::Index i = 0; i < numbers.size(); ++i) {
-      numbers[i] = std::clamp(numbers[i], boundsOf(i).low, boundsOf(i).high);
+      numbers[i] = std::clamp(numbers[i], boundsAt(i).low, boundsAt(i).high);
     }
     return numbers;
   }
@@ -66,8 +66,8 @@ class Descent {
       const double step = kDifference * width(i);
       Eigen::VectorXd below = numbers;
       Eigen::VectorXd above = numbers;
-      below[i] = std::max(boundsOf(i).low, numbers[i] - step);
-      above[i] = std::min(boundsOf(i).high, numbers[i] + step);
+      below[i] = std::max(boundsAt(i).low, numbers[i] - step);
+      above[i] = std::min(boundsAt(i).high, numbers[i] + step);
       jacobian.col(i) = (residuals_(above) - residuals_(below)) / (above[i] - below[i]);
     }
     return jacobian;
@@ -77,14 +77,14 @@ class Descent {
   std::vector<bool> heldBack(const Eigen::VectorXd& numbers, const Eigen::VectorXd& gradient) const {
     std::vector<bool> held;
     for (Eigen::Index i = 0; i < numbers.size(); ++i) {
-      const bool low = numbers[i] <= boundsOf(i).low && gradient[i] >= 0.0;
-      const bool high = numbers[i] >= boundsOf(i).high && gradient[i] <= 0.0;
+      const bool low = numbers[i] <= boundsAt(i).low && gradient[i] >= 0.0;
+      const bool high = numbers[i] >= boundsAt(i).high && gradient[i] <= 0.0;
       held.push_back(low || high);
     }
     return held;
   }
 
-  static Eigen::VectorXd stepOf(const BoundedFit& fit, const Eigen::VectorXd& rest, double damping) {
+  static Eigen::VectorXd dampedStep(const BoundedFit& fit, const Eigen::VectorXd& rest, double damping) {
     Eigen::MatrixXd jacobian = fit.jacobian;
     for (std::size_t i = 0; i < fit.at_bound.size(); ++i) {
       if (fit.at_bound[i]) jacobian.col(static_cast<Eigen::Index>(i)).setZero();

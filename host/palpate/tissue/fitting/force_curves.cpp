@@ -31,7 +31,7 @@ struct Columns {
   std::size_t count = 2;
 };
 
-Columns columnsOf(const CsvRow& header) {
+Columns findColumns(const CsvRow& header) {
   Columns columns{neededColumn(header, "depth_mm"), neededColumn(header, "force_n"), std::nullopt,
                   header.fields.size()};
   for (const std::string_view name : {"curve", "place", "id"}) {
@@ -42,13 +42,13 @@ Columns columnsOf(const CsvRow& header) {
 
 class CurveReader {
  public:
-  void take(const CsvRow& row) {
+  void addRow(const CsvRow& row) {
     if (std::exchange(first_, false) && looksLikeCsvHeader(row)) {
-      columns_ = columnsOf(row);
+      columns_ = findColumns(row);
       return;
     }
     checkFields(row, columns_.count);
-    ForceCurve& curve = curveOf(row);
+    ForceCurve& curve = findOrAddCurve(row);
     curve.depth_mm.push_back(csvNumber(row, columns_.depth, "depth_mm", kCurveDepths));
     curve.force_n.push_back(csvNumber(row, columns_.force, "force_n", kCurveForces));
   }
@@ -56,7 +56,7 @@ class CurveReader {
   std::vector<ForceCurve> curves;
 
  private:
-  ForceCurve& curveOf(const CsvRow& row) {
+  ForceCurve& findOrAddCurve(const CsvRow& row) {
     const std::string name = columns_.curve ? oneLine(row.fields[*columns_.curve], kLongestCurveName) : std::string();
     const auto [place, fresh] = numbers_.try_emplace(name, curves.size());
     if (fresh) {
@@ -76,7 +76,7 @@ class CurveReader {
 
 std::vector<ForceCurve> parseForceCurves(std::string_view text, std::string_view name) {
   CurveReader reader;
-  forEachCsvRow(text, name, [&](const CsvRow& row) { reader.take(row); });
+  forEachCsvRow(text, name, [&](const CsvRow& row) { reader.addRow(row); });
   if (reader.curves.empty()) throw Error::inFile(name, "has no row depth_mm,force_n");
   return std::move(reader.curves);
 }

@@ -57,7 +57,7 @@ class CurveFit {
   Eigen::ArrayXd forces(const Solved& solved, const Eigen::ArrayXd& depth_mm) const {
     return solved.secant * effectiveAt(solved.inner, depth_mm);
   }
-  double offsetOf(const Solved& solved) const { return offsetIn(solved.inner); }
+  double fittedOffset(const Solved& solved) const { return offsetIn(solved.inner); }
 
   /// With k as a further number in front: for the errors of all of them.
   BoundedFit withSecant(const Solved& solved, const Eigen::ArrayXd& weights) const {
@@ -110,7 +110,7 @@ Weighed reweighed(const CurveFit& fit, const ForceRows& rows, const Solved& firs
 }
 
 Weighed weighedFit(const CurveFit& fit, const ForceRows& rows) {
-  const Eigen::ArrayXd weights = judgedWeights(rows);
+  const Eigen::ArrayXd weights = scoreWeights(rows);
   const Solved first = fit.solve(weights);
   Weighed best{.solved = first, .weights = weights};
   if (rows.depth_mm.size() < kRowsForNoise) return best;
@@ -132,7 +132,7 @@ std::vector<FittedNumber> fittedNumbers(ForceForm form, const Eigen::VectorXd& i
 }
 
 /// Sets the errors of k, the form's numbers and the offset.
-void tellErrors(const BoundedFit& whole, const ForceFitSettings& settings, ForceFit& fit) {
+void setStandardErrors(const BoundedFit& whole, const ForceFitSettings& settings, ForceFit& fit) {
   const Eigen::VectorXd errors = standardErrors(whole);
   fit.secant.standard_error = errors[0];
   fit.secant.at_end = whole.at_bound[0];
@@ -153,11 +153,11 @@ ForceFit fitRows(const ForceRows& rows, ForceForm form, const ForceFitSettings& 
   ForceFit fit{.form = form,
                .secant = {"secant_n_per_mm", solved.secant},
                .numbers = fittedNumbers(form, solved.inner),
-               .offset = {"offset_mm", curve.offsetOf(solved)},
+               .offset = {"offset_mm", curve.fittedOffset(solved)},
                .law = FormShape(form, solved.inner).law()};
-  tellErrors(curve.withSecant(solved, weighed.weights), settings, fit);
+  setStandardErrors(curve.withSecant(solved, weighed.weights), settings, fit);
   fit.noise_floor = weighed.floor;
-  fit.rms = judgedRms(rows, curve.forces(solved, rows.depth_mm));
+  fit.rms = scoreRms(rows, curve.forces(solved, rows.depth_mm));
   fit.unseen_rms = unseenRms(rows, [&](const std::vector<Eigen::Index>& seen, const Eigen::ArrayXd& depth_mm) {
     const ForceRows part = partOf(rows, seen);
     const CurveFit again(part, form, settings);
@@ -171,12 +171,12 @@ Eigen::ArrayXd forcesIn(const ForceTable& table, const Eigen::ArrayXd& depth_mm)
 }
 
 ForceFit measuredFit(const ForceRows& rows) {
-  const Eigen::ArrayXd weights = judgedWeights(rows);
+  const Eigen::ArrayXd weights = scoreWeights(rows);
   ForceFit fit{.form = ForceForm::measured, .offset = {"offset_mm"}};
   fit.law.kind = ForceLaw::Kind::table;
   fit.law.table = smoothedTable(rows, weights);
   fit.secant = {"secant_n_per_mm", forceIn(fit.law.table, kReferenceDepthMm) / kReferenceDepthMm, kNotKnown};
-  fit.rms = judgedRms(rows, forcesIn(fit.law.table, rows.depth_mm));
+  fit.rms = scoreRms(rows, forcesIn(fit.law.table, rows.depth_mm));
   fit.unseen_rms = unseenRms(rows, [&](const std::vector<Eigen::Index>& seen, const Eigen::ArrayXd& depth_mm) {
     return forcesIn(smoothedTable(partOf(rows, seen), weights(seen)), depth_mm);
   });

@@ -13,7 +13,7 @@ namespace palpate::tissue {
 
 namespace {
 
-constexpr double kJudgedFloor = 0.3;
+constexpr double kScoreFloor = 0.3;
 constexpr Eigen::Index kRowFolds = 5;
 
 std::size_t depthsBelowSkin(const Eigen::ArrayXd& sorted) {
@@ -51,10 +51,10 @@ ForceRows partOf(const ForceRows& rows, const std::vector<Eigen::Index>& which) 
   return {rows.depth_mm(which), rows.force_n(which), rows.most_n};
 }
 
-Eigen::ArrayXd judgedWeights(const ForceRows& rows) { return rows.force_n.max(kJudgedFloor * rows.most_n).inverse(); }
+Eigen::ArrayXd scoreWeights(const ForceRows& rows) { return rows.force_n.max(kScoreFloor * rows.most_n).inverse(); }
 
-double judgedRms(const ForceRows& rows, const Eigen::ArrayXd& force_n) {
-  return std::sqrt(((force_n - rows.force_n) * judgedWeights(rows)).square().mean());
+double scoreRms(const ForceRows& rows, const Eigen::ArrayXd& force_n) {
+  return std::sqrt(((force_n - rows.force_n) * scoreWeights(rows)).square().mean());
 }
 
 double bestSecant(const Eigen::ArrayXd& effective_mm, const ForceRows& rows, const Eigen::ArrayXd& weights) {
@@ -63,17 +63,17 @@ double bestSecant(const Eigen::ArrayXd& effective_mm, const ForceRows& rows, con
   return square > 0.0 ? std::max(0.0, (weighted * rows.force_n * weights).sum() / square) : 0.0;
 }
 
-double unseenRms(const ForceRows& rows, const Foretell& foretell) {
+double unseenRms(const ForceRows& rows, const Predict& predict) {
   const Eigen::Index count = rows.depth_mm.size();
   const Eigen::Index folds = std::min(kRowFolds, count);
-  const Eigen::ArrayXd weights = judgedWeights(rows);
+  const Eigen::ArrayXd weights = scoreWeights(rows);
   double squares = 0.0;
   for (Eigen::Index fold = 0; fold < folds; ++fold) {
     std::vector<Eigen::Index> seen;
     std::vector<Eigen::Index> left_out;
     for (Eigen::Index i = 0; i < count; ++i) (i % folds == fold ? left_out : seen).push_back(i);
     const ForceRows unseen = partOf(rows, left_out);
-    squares += ((foretell(seen, unseen.depth_mm) - unseen.force_n) * weights(left_out)).square().sum();
+    squares += ((predict(seen, unseen.depth_mm) - unseen.force_n) * weights(left_out)).square().sum();
   }
   return std::sqrt(squares / static_cast<double>(count));
 }

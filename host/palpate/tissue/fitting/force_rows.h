@@ -27,19 +27,19 @@ ForceRows rowsOf(const ForceCurve& curve);
 ForceRows partOf(const ForceRows& rows, const std::vector<Eigen::Index>& which);
 
 /// 1 / max(F, 0.3 F_max): weights of deviations, so that a light touch counts and its noise does not rule.
-Eigen::ArrayXd judgedWeights(const ForceRows& rows);
+Eigen::ArrayXd scoreWeights(const ForceRows& rows);
 
 /// RMS of the deviations with these weights, a fraction.
-double judgedRms(const ForceRows& rows, const Eigen::ArrayXd& force_n);
+double scoreRms(const ForceRows& rows, const Eigen::ArrayXd& force_n);
 
 /// The k that fits best for effective depths; forces push, so not below 0.
 double bestSecant(const Eigen::ArrayXd& effective_mm, const ForceRows& rows, const Eigen::ArrayXd& weights);
 
 /// Fits the rows of these numbers and predicts the forces at these depths.
-using Foretell = std::function<Eigen::ArrayXd(const std::vector<Eigen::Index>& seen, const Eigen::ArrayXd& depth_mm)>;
+using Predict = std::function<Eigen::ArrayXd(const std::vector<Eigen::Index>& seen, const Eigen::ArrayXd& depth_mm)>;
 
-/// judgedRms of rows that the fit did not see: a fifth at a time, by turns.
-double unseenRms(const ForceRows& rows, const Foretell& foretell);
+/// scoreRms of rows that the fit did not see: a fifth at a time, by turns.
+double unseenRms(const ForceRows& rows, const Predict& predict);
 
 // Measured rows as a force table: averaged where they lie close, and never falling.
 

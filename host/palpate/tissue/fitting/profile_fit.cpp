@@ -19,7 +19,7 @@ namespace palpate::tissue {
 
 namespace {
 
-constexpr double kJudgedRadiusMm = 40.0;
+constexpr double kScoreRadiusMm = 40.0;
 /// Skin nearer to the axis than this shows how far the axis goes down; farther out it hides under the indenter.
 constexpr double kMiddleMm = 2.0;
 constexpr std::size_t kMinPlaces = 6;
@@ -34,15 +34,15 @@ struct Places {
   Eigen::ArrayXd radius;
   Eigen::ArrayXd down;
   Eigen::ArrayXd outward;  // empty: not measured
-  Eigen::ArrayXd areas;    // areas of the ring around each within kJudgedRadiusMm; they add up to 1
+  Eigen::ArrayXd areas;    // areas of the ring around each within kScoreRadiusMm; they add up to 1
   Eigen::ArrayXd weights;  // weights in the fit
 
   bool showsMiddle() const { return radius[0] <= kMiddleMm; }
 };
 
-Eigen::ArrayXd areasOf(const Eigen::ArrayXd& radius) {
+Eigen::ArrayXd areaShares(const Eigen::ArrayXd& radius) {
   Eigen::ArrayXd areas(radius.size());
-  const auto squared = [](double r) { return elementary::square(std::min(r, kJudgedRadiusMm)); };
+  const auto squared = [](double r) { return elementary::square(std::min(r, kScoreRadiusMm)); };
   double inner = 0.0;
   for (Eigen::Index i = 0; i < radius.size(); ++i) {
     const double outer = i + 1 < radius.size() ? 0.5 * (radius[i] + radius[i + 1]) : radius[i];
@@ -71,7 +71,7 @@ Places skinPlaces(const SkinProfile& profile) {
     throw Error(fmt::format("{}: {} radii; {} are needed", where, different, kMinPlaces));
   }
   if (!(places.down.maxCoeff() > 0.0)) throw Error(where + ": the skin goes down nowhere");
-  places.areas = areasOf(places.radius);
+  places.areas = areaShares(places.radius);
   places.weights = (0.5 * places.areas + 0.5 / static_cast<double>(places.radius.size())).sqrt();
   return places;
 }
@@ -124,7 +124,7 @@ std::vector<Eigen::VectorXd> shapeStarts(ProfileForm form) {
 }
 
 /// Values for people: the wide Gaussian's width instead of its ratio to the narrow one's.
-Eigen::VectorXd valuesOf(ProfileForm form, const Eigen::VectorXd& inner) {
+Eigen::VectorXd toReportedValues(ProfileForm form, const Eigen::VectorXd& inner) {
   Eigen::VectorXd values = inner.unaryExpr(&elementary::exp);
   if (form != ProfileForm::two_gaussians) return values;
   values[1] *= values[0];
@@ -145,7 +145,7 @@ double shareAt(ProfileForm form, const Eigen::VectorXd& values, double radius) {
 }
 
 Eigen::ArrayXd sharesAt(ProfileForm form, const Eigen::VectorXd& inner, const Eigen::ArrayXd& radius) {
-  const Eigen::VectorXd values = valuesOf(form, inner);
+  const Eigen::VectorXd values = toReportedValues(form, inner);
   return radius.unaryExpr([&](double r) { return shareAt(form, values, r); });
 }
 
@@ -174,7 +174,7 @@ double outwardTerm(double radius, double width) {
 }
 
 /// The two amplitudes for these widths.
-Eigen::Vector2d amplitudesOf(const Places& places, const Eigen::Vector2d& widths) {
+Eigen::Vector2d solveAmplitudes(const Places& places, const Eigen::Vector2d& widths) {
   Eigen::MatrixXd terms(places.radius.size(), 2);
   for (Eigen::Index i = 0; i < places.radius.size(); ++i) {
     for (Eigen::Index k = 0; k < 2; ++k) terms(i, k) = places.weights[i] * outwardTerm(places.radius[i], widths[k]);
@@ -184,14 +184,14 @@ Eigen::Vector2d amplitudesOf(const Places& places, const Eigen::Vector2d& widths
   return solved(normal, terms.transpose() * (places.weights * places.outward).matrix());
 }
 
-Eigen::Vector2d widthsOf(const Eigen::VectorXd& inner) {
+Eigen::Vector2d toWidths(const Eigen::VectorXd& inner) {
   return {elementary::exp(inner[0]), elementary::exp(inner[0] + inner[1])};
 }
 
 void fitOutward(const Places& places, ProfileFit& fit) {
   const auto residuals = [&](const Eigen::VectorXd& inner) -> Eigen::VectorXd {
-    const Eigen::Vector2d widths = widthsOf(inner);
-    const Eigen::Vector2d amplitudes = amplitudesOf(places, widths);
+    const Eigen::Vector2d widths = toWidths(inner);
+    const Eigen::Vector2d amplitudes = solveAmplitudes(places, widths);
     const auto motion = places.radius.unaryExpr([&](double r) {
       return amplitudes[0] * outwardTerm(r, widths[0]) + amplitudes[1] * outwardTerm(r, widths[1]);
     });
@@ -203,8 +203,8 @@ void fitOutward(const Places& places, ProfileFit& fit) {
   const BoundedFit solved =
       fitWithin(residuals, {start(4.0, 2.5), start(8.0, 2.0), start(15.0, 1.5)},
                 {{elementary::log(1.0), elementary::log(80.0)}, {elementary::log(1.2), elementary::log(8.0)}});
-  const Eigen::Vector2d widths = widthsOf(solved.numbers);
-  const Eigen::Vector2d amplitudes = amplitudesOf(places, widths);
+  const Eigen::Vector2d widths = toWidths(solved.numbers);
+  const Eigen::Vector2d amplitudes = solveAmplitudes(places, widths);
   fit.outward_mm = {amplitudes[0], amplitudes[1]};
   fit.outward_width_mm = {widths[0], widths[1]};
 }
@@ -226,7 +226,7 @@ std::vector<ProfileKnot> averaged(const Eigen::ArrayXd& radius, const Eigen::Arr
 }
 
 /// Where a parabola through the innermost places meets the axis.
-double middleOf(const std::vector<ProfileKnot>& knots) {
+double extrapolateToAxis(const std::vector<ProfileKnot>& knots) {
   if (knots.front().q == 0.0) return knots.front().value;
   constexpr Eigen::Index kInner = 4;
   Eigen::MatrixXd terms(kInner, 2);
@@ -253,7 +253,7 @@ double valueAt(const RadialCurve& curve, UserInterpolation between, double radiu
 }
 
 double measuredSurface(const Places& places) {
-  return places.showsMiddle() ? middleOf(averaged(places.radius, places.down)) : places.depth;
+  return places.showsMiddle() ? extrapolateToAxis(averaged(places.radius, places.down)) : places.depth;
 }
 
 void passThrough(const Places& places, ProfileFit& fit) {
@@ -270,7 +270,7 @@ void passThrough(const Places& places, ProfileFit& fit) {
 // --- one depth
 
 std::vector<FittedNumber> fittedShapeNumbers(ProfileForm form, const BoundedFit& solved) {
-  const Eigen::VectorXd values = valuesOf(form, solved.numbers);
+  const Eigen::VectorXd values = toReportedValues(form, solved.numbers);
   const Eigen::VectorXd errors = standardErrors(solved);
   std::vector<FittedNumber> numbers;
   Eigen::Index i = 0;

@@ -26,7 +26,7 @@ double sampled(const std::vector<double>& radii, const std::vector<double>& valu
 }
 
 /// Twice where a half Gaussian as wide at half its height would have ended: there bulges have ended too.
-double rimOf(const std::vector<double>& radii, const std::vector<double>& down) {
+double rimRadius(const std::vector<double>& radii, const std::vector<double>& down) {
   constexpr double kHalvesToRim = 6.0;
   std::size_t half = 1;
   while (half + 1 < radii.size() && down[half] > 0.5) ++half;
@@ -56,7 +56,7 @@ void findRegion(const std::vector<double>& rims, std::span<const PressedShape> s
   shared.radius_mm = mean_rim - shared.radius_per_depth * mean_depth;
 }
 
-double regionOf(const SharedProfile& shared, const PressedShape& shape) {
+double regionRadius(const SharedProfile& shared, const PressedShape& shape) {
   return shared.radius_mm + shared.radius_per_depth * shape.depth_mm;
 }
 
@@ -65,7 +65,7 @@ void findKnots(const std::vector<double>& radii, std::span<const PressedShape> s
   for (std::size_t j = 0; j < kProfileKnots; ++j) {
     const double q = static_cast<double>(j) / static_cast<double>(kProfileKnots - 1);
     double value = 0.0;
-    for (const PressedShape& shape : shapes) value += sampled(radii, shape.down, q * regionOf(shared, shape));
+    for (const PressedShape& shape : shapes) value += sampled(radii, shape.down, q * regionRadius(shared, shape));
     shared.knots.push_back({q, value / static_cast<double>(shapes.size())});
   }
   const double rest = shared.knots.back().value;
@@ -74,7 +74,8 @@ void findKnots(const std::vector<double>& radii, std::span<const PressedShape> s
   shared.knots.back().value = 0.0;
 }
 
-double missOf(const std::vector<double>& radii, std::span<const PressedShape> shapes, const SharedProfile& shared) {
+double residualRms(const std::vector<double>& radii, std::span<const PressedShape> shapes,
+                   const SharedProfile& shared) {
   std::vector<double> q;
   std::vector<double> values;
   for (const ProfileKnot& knot : shared.knots) {
@@ -86,7 +87,7 @@ double missOf(const std::vector<double>& radii, std::span<const PressedShape> sh
   for (const PressedShape& shape : shapes) {
     for (std::size_t i = 1; i < radii.size() && radii[i] <= kSummedRadiusMm; ++i) {
       const double ring = radii[i] * (radii[i] - radii[i - 1]);
-      squares += ring * elementary::square(sampled(q, values, radii[i] / regionOf(shared, shape)) - shape.down[i]);
+      squares += ring * elementary::square(sampled(q, values, radii[i] / regionRadius(shared, shape)) - shape.down[i]);
       area += ring;
     }
   }
@@ -126,10 +127,10 @@ PressedShape shapeOf(const ProfileFit& fit, const std::vector<double>& radii_mm)
 SharedProfile sharedProfile(const std::vector<double>& radii_mm, std::span<const PressedShape> shapes) {
   SharedProfile shared;
   std::vector<double> rims;
-  for (const PressedShape& shape : shapes) rims.push_back(rimOf(radii_mm, shape.down));
+  for (const PressedShape& shape : shapes) rims.push_back(rimRadius(radii_mm, shape.down));
   findRegion(rims, shapes, shared);
   findKnots(radii_mm, shapes, shared);
-  shared.rms = missOf(radii_mm, shapes, shared);
+  shared.rms = residualRms(radii_mm, shapes, shared);
   return shared;
 }
 

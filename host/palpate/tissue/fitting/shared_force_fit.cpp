@@ -27,13 +27,13 @@ std::vector<ForcePlace> forcePlaces(std::span<const ForceCurve> curves, const st
     ForceRows rows = rowsOf(curves[i]);
     rows.depth_mm -= alone[i].offset.value;
     // The squares of a curve are a mean: long ones count as short ones.
-    Eigen::ArrayXd weights = judgedWeights(rows) / std::sqrt(static_cast<double>(rows.depth_mm.size()));
+    Eigen::ArrayXd weights = scoreWeights(rows) / std::sqrt(static_cast<double>(rows.depth_mm.size()));
     places.push_back({std::move(rows), std::move(weights)});
   }
   return places;
 }
 
-Eigen::VectorXd restOf(const std::vector<ForcePlace>& places, const FormShape& shape) {
+Eigen::VectorXd computeResiduals(const std::vector<ForcePlace>& places, const FormShape& shape) {
   Eigen::Index count = 0;
   for (const ForcePlace& place : places) count += place.rows.depth_mm.size();
   Eigen::VectorXd rest(count);
@@ -60,7 +60,7 @@ ForceCurve pooled(const std::vector<ForcePlace>& places, const std::vector<Force
   return all;
 }
 
-double deepestOf(const std::vector<ForcePlace>& places) {
+double maxDepth(const std::vector<ForcePlace>& places) {
   double deepest = 0.0;
   for (const ForcePlace& place : places) deepest = std::max(deepest, place.rows.depth_mm.maxCoeff());
   return deepest;
@@ -69,20 +69,20 @@ double deepestOf(const std::vector<ForcePlace>& places) {
 BoundedFit solvePlaces(const std::vector<ForcePlace>& places, ForceForm form) {
   std::vector<Bounds> bounds;
   for (const FormNumber& number : numbersOf(form)) bounds.push_back(number.inner);
-  return fitWithin([&](const Eigen::VectorXd& inner) { return restOf(places, FormShape(form, inner)); }, startsOf(form),
-                   bounds);
+  return fitWithin([&](const Eigen::VectorXd& inner) { return computeResiduals(places, FormShape(form, inner)); },
+                   startsOf(form), bounds);
 }
 
 /// Squares of places whose shape is that of the others, a fifth of them at a time; of all where there is one.
 double unseenSquares(const std::vector<ForcePlace>& places, ForceForm form, const FormShape& of_all) {
   const std::size_t folds = std::min<std::size_t>(5, places.size());
-  if (folds < 2) return restOf(places, of_all).squaredNorm();
+  if (folds < 2) return computeResiduals(places, of_all).squaredNorm();
   double squares = 0.0;
   for (std::size_t fold = 0; fold < folds; ++fold) {
     std::vector<ForcePlace> seen;
     std::vector<ForcePlace> left_out;
     for (std::size_t i = 0; i < places.size(); ++i) (i % folds == fold ? left_out : seen).push_back(places[i]);
-    squares += restOf(left_out, FormShape(form, solvePlaces(seen, form).numbers)).squaredNorm();
+    squares += computeResiduals(left_out, FormShape(form, solvePlaces(seen, form).numbers)).squaredNorm();
   }
   return squares;
 }
@@ -112,11 +112,11 @@ ForceFit fitSharedForce(std::span<const ForceCurve> curves, ForceForm form, cons
         {number.name, number.valueOf(solved.numbers[static_cast<Eigen::Index>(i)]), nan, solved.at_bound[i]});
   }
   const auto count = static_cast<double>(places.size());
-  const Eigen::VectorXd rest = restOf(places, shape);
+  const Eigen::VectorXd rest = computeResiduals(places, shape);
   fit.rms = std::sqrt(rest.squaredNorm() / count);
   fit.unseen_rms = std::sqrt(unseenSquares(places, form, shape) / count);
   fit.rows = static_cast<std::size_t>(rest.size());
-  fit.deepest_mm = deepestOf(places);
+  fit.deepest_mm = maxDepth(places);
   return fit;
 }
 

@@ -30,7 +30,7 @@ struct SkinPlace {
 
 class ProfileReader {
  public:
-  void take(const CsvRow& row) {
+  void addRow(const CsvRow& row) {
     if (!fields_) return readHeader(row);
     checkFields(row, *fields_);
     const double depth = csvNumber(row, depth_, "depth_mm", kSkinDepths);
@@ -77,7 +77,7 @@ class ProfileReader {
 
 std::vector<SkinProfile> parseSkinProfiles(std::string_view text, std::string_view name) {
   ProfileReader reader;
-  forEachCsvRow(text, name, [&](const CsvRow& row) { reader.take(row); });
+  forEachCsvRow(text, name, [&](const CsvRow& row) { reader.addRow(row); });
   std::vector<SkinProfile> profiles = reader.profiles();
   if (profiles.empty()) throw Error::inFile(name, "has no row depth_mm,r_mm,down_mm");
   return profiles;

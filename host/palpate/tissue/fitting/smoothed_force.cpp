@@ -20,7 +20,7 @@ struct Group {
 
   double meanDepth() const { return depth / weight; }
   double meanForce() const { return std::max(0.0, force / weight); }
-  void take(const Group& other) {
+  void merge(const Group& other) {
     weight += other.weight;
     depth += other.depth;
     force += other.force;
@@ -39,7 +39,7 @@ std::vector<Group> grouped(const ForceRows& rows, const Eigen::ArrayXd& weights,
     if (taken % in_each == 0 && !(same_depth && !groups.empty())) groups.emplace_back();
     if (groups.empty()) groups.emplace_back();
     const double weight = weights[i] * weights[i];
-    groups.back().take({weight, weight * rows.depth_mm[i], weight * rows.force_n[i]});
+    groups.back().merge({weight, weight * rows.depth_mm[i], weight * rows.force_n[i]});
     ++taken;
   }
   return groups;
@@ -52,7 +52,7 @@ std::vector<Group> rising(const std::vector<Group>& groups) {
     while (joined.size() > 1 && joined[joined.size() - 2].meanForce() > joined.back().meanForce()) {
       const Group last = joined.back();
       joined.pop_back();
-      joined.back().take(last);
+      joined.back().merge(last);
     }
   }
   return joined;

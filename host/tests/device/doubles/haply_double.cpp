@@ -60,14 +60,14 @@ bool exists(Service& self, std::size_t i) {
   return static_cast<int>(i) < self.control.count && self.control.devices[i].connected;
 }
 
-Json vectorOf(const std::array<std::atomic<double>, 3>& v) {
+Json toVectorJson(const std::array<std::atomic<double>, 3>& v) {
   return {{"x", v[0].load()}, {"y", v[1].load()}, {"z", v[2].load()}};
 }
 
-Json stateOf(DoubleDevice& device) {
-  Json state = {{"cursor_position", vectorOf(device.place)},
-                {"cursor_velocity", vectorOf(device.speed)},
-                {"current_cursor_force", vectorOf(device.force)},
+Json makeStateJson(DoubleDevice& device) {
+  Json state = {{"cursor_position", toVectorJson(device.place)},
+                {"cursor_velocity", toVectorJson(device.speed)},
+                {"current_cursor_force", toVectorJson(device.force)},
                 {"control_domain", "cartesian"}};
   if (device.gives_no_number) state["cursor_position"]["y"] = nullptr;  // how JSON writes what is none
   if (device.error == kWrongTypes) state["cursor_position"] = Json::array({"0.1", true});
@@ -77,13 +77,13 @@ Json stateOf(DoubleDevice& device) {
 
 bool isOld(Service& self) { return self.control.major == 3 && self.control.minor == 0; }
 
-Json answerOf(Service& self, bool whole) {
+Json makeStateMessage(Service& self, bool whole) {
   Json devices = isOld(self) ? Json::object() : Json::array();
   Json grips = Json::array();
   for (std::size_t i = 0; i < kIds.size(); ++i) {
     if (!exists(self, i)) continue;
     DoubleDevice& device = self.control.devices[i];
-    Json element = {{"device_id", kIds[i]}, {"state", stateOf(device)}, {"status", Json::object()}};
+    Json element = {{"device_id", kIds[i]}, {"state", makeStateJson(device)}, {"status", Json::object()}};
     if (device.error == kNoState) element.erase("state");
     if (whole) element["config"] = {{"type", "inverse3"}, {"handedness", kHands[i]}};
     const unsigned pressed = device.buttons;
@@ -144,7 +144,7 @@ class Client {
 };
 
 /// The fault of either device that takes the whole answer.
-unsigned faultOf(Service& self) {
+unsigned deviceFault(Service& self) {
   for (DoubleDevice& device : self.control.devices) {
     if (device.error > kNoState) return device.error;
   }
@@ -153,7 +153,7 @@ unsigned faultOf(Service& self) {
 
 void rest(Service& self) {
   if (self.control.slow_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(self.control.slow_us));
-  while (faultOf(self) == kSilent || (self.control.stands && !self.control.by_hand)) {
+  while (deviceFault(self) == kSilent || (self.control.stands && !self.control.by_hand)) {
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
 }
@@ -168,7 +168,7 @@ std::string faultyText(unsigned fault, const std::string& text) {
 
 void converse(Service& self, Stream& stream) {
   Client client(self);
-  const std::string snapshot = self.control.refusal == kOddSnapshot ? "hello" : answerOf(self, true).dump();
+  const std::string snapshot = self.control.refusal == kOddSnapshot ? "hello" : makeStateMessage(self, true).dump();
   stream.write(asio::buffer(snapshot));
   for (;;) {
     beast::flat_buffer buffer;
@@ -180,9 +180,9 @@ void converse(Service& self, Stream& stream) {
       self.last_order = order;
     }
     rest(self);
-    const unsigned fault = faultOf(self);
+    const unsigned fault = deviceFault(self);
     if (fault == kCloses) return stream.close(beast::websocket::close_code::going_away);
-    stream.write(asio::buffer(faultyText(fault, answerOf(self, false).dump())));
+    stream.write(asio::buffer(faultyText(fault, makeStateMessage(self, false).dump())));
   }
 }
 

@@ -44,13 +44,13 @@ bool held(bool is_so, const char* what) {
   return false;
 }
 
-xr::Time timeOf(const std::timespec& clock) {
+xr::Time toXrTime(const std::timespec& clock) {
   return kClockOffset + static_cast<xr::Time>(clock.tv_sec) * 1'000'000'000 + clock.tv_nsec;
 }
 xr::Time timeNow() {
   std::timespec clock{};
   ::clock_gettime(CLOCK_MONOTONIC, &clock);
-  return timeOf(clock);
+  return toXrTime(clock);
 }
 
 template <class Structure>
@@ -202,7 +202,7 @@ xr::Result pollEvent(xr::Handle instance, xr::EventDataBuffer* buffer) {
 
 xr::Result convertTime(xr::Handle instance, const std::timespec* clock, xr::Time* time) {
   held(instance == kInstance && clock != nullptr && time != nullptr, "arguments of xrConvertTimespecTimeToTimeKHR");
-  *time = timeOf(*clock);
+  *time = toXrTime(*clock);
   return xr::kSuccess;
 }
 

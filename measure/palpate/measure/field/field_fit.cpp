@@ -1,12 +1,12 @@
 // Levenberg and Marquardt's method on the motions of all dots at once. The dots show how far the body moved between the
 // pictures as well as how the skin was dragged: both are unknowns of one fit, the first with a prior. So are bends of
 // the body that a similarity does not have: left out, they stretch long tails by a tenth unnoticed. Each dot counts by
-// its certainty (weightsOf); a dot that nothing explains counts less (pseudo-Huber). First the form with one ellipse,
+// its certainty (estimateSds); a dot that nothing explains counts less (pseudo-Huber). First the form with one ellipse,
 // from four starts; then, from the best, sideways motion too.
 //
 // The dots lie 30 mm apart and do not see the core of the field; several forms may explain them about equally well and
 // differ by a tenth at 2 mm and by half at the peak. So every form is fitted, and each counts by how well it does
-// (sharesOf): their difference is part of the uncertainty (field_report.h).
+// (computeFormWeights): their difference is part of the uncertainty (field_report.h).
 //
 // Based on: Marquardt, "An algorithm for least-squares estimation of nonlinear parameters", 1963; Charbonnier et al.,
 // "Deterministic edge-preserving regularization in computed imaging", 1997 (pseudo-Huber by reweighting).
@@ -57,7 +57,7 @@ struct FormPrior {
 
 /// The solved one has the ellipse of the drag in itself, and its size from the stick's tip: 6 mm, give or take a third.
 /// For the others, kappa of a half space of incompressible matter is 1.
-FormPrior formPriorOf(FieldForm form) {
+FormPrior formPrior(FieldForm form) {
   if (form == FieldForm::deep)
     return {.elongation_sd = 0.35, .sideways_mean = 0.95, .sideways_sd = 0.1, .presses = true};
   if (form != FieldForm::solved) return {.elongation_sd = 0.7, .sideways_sd = 1.5};
@@ -214,7 +214,7 @@ void addPrior(const FieldNumbers& n, const Prior& prior, Normal& normal) {
     normal.cost += off * off;
   };
   expect(kTail, kTailMean, kTailSd);
-  const FormPrior form = formPriorOf(prior.form);
+  const FormPrior form = formPrior(prior.form);
   expect(kDeviator, 0.0, form.elongation_sd);
   expect(kDeviator + 1, 0.0, form.elongation_sd);
   expect(kSideways, form.sideways_mean, form.sideways_sd);
@@ -247,8 +247,8 @@ void accumulate(const Jacobian& slope, const Vec2& weighed_off, double weight, i
   }
 }
 
-Normal normalOf(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
-                const Prior& prior, int unknowns) {
+Normal buildNormalEquations(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
+                            const Prior& prior, int unknowns) {
   Normal normal;
   const Shape shape = shapeOf(n);
   Jacobian slope;
@@ -266,27 +266,27 @@ Normal normalOf(std::span<const FieldDatum> data, std::span<const double> sd_mm,
   return normal;
 }
 
-double leastShapeOf(FieldForm form) { return form == FieldForm::solved ? kSolvedShapeLeast : kShapeLeast; }
+double minShape(FieldForm form) { return form == FieldForm::solved ? kSolvedShapeLeast : kShapeLeast; }
 
 FieldNumbers clamped(FieldNumbers n, FieldForm form) {
   n[kTail] = std::clamp(n[kTail], 0.0, kTailMost);
   n[kSideways] = std::clamp(n[kSideways], kSidewaysLeast, kSidewaysMost);
-  n[kMeanShape] = std::clamp(n[kMeanShape], leastShapeOf(form), kShapeMost);
+  n[kMeanShape] = std::clamp(n[kMeanShape], minShape(form), kShapeMost);
   return n;
 }
 
 /// Free part of the form: first without sideways motion, then with it, in the end with the bends of the body too.
 enum class Freedom : unsigned char { plain, sideways, bends };
 
-int unknownsOf(Freedom freedom) { return freedom == Freedom::bends ? kFieldUnknowns : kFirstBend; }
+int unknownCount(Freedom freedom) { return freedom == Freedom::bends ? kFieldUnknowns : kFirstBend; }
 
 /// Unknowns that stay as they are: those that are not free yet, and what would leave its bounds.
-std::array<bool, kFieldUnknowns> heldOf(const FieldNumbers& n, const FieldNumbers& gradient, FieldForm form,
-                                        Freedom freedom) {
+std::array<bool, kFieldUnknowns> findHeldUnknowns(const FieldNumbers& n, const FieldNumbers& gradient, FieldForm form,
+                                                  Freedom freedom) {
   std::array<bool, kFieldUnknowns> held = {};
   held[kSideways] = freedom == Freedom::plain;
   held[kPressed] = held[kPressed + 1] = freedom != Freedom::bends;
-  for (std::size_t i = static_cast<std::size_t>(unknownsOf(freedom)); i < held.size(); ++i) held[i] = true;
+  for (std::size_t i = static_cast<std::size_t>(unknownCount(freedom)); i < held.size(); ++i) held[i] = true;
   const auto hold_at = [&](int unknown, double low, double high) {
     const auto at = static_cast<std::size_t>(unknown);
     held[at] =
@@ -294,11 +294,11 @@ std::array<bool, kFieldUnknowns> heldOf(const FieldNumbers& n, const FieldNumber
   };
   hold_at(kTail, 0.0, kTailMost);
   hold_at(kSideways, kSidewaysLeast, kSidewaysMost);
-  hold_at(kMeanShape, leastShapeOf(form), kShapeMost);
+  hold_at(kMeanShape, minShape(form), kShapeMost);
   return held;
 }
 
-FieldNumbers stepOf(const Normal& normal, double damping, const std::array<bool, kFieldUnknowns>& held) {
+FieldNumbers dampedStep(const Normal& normal, double damping, const std::array<bool, kFieldUnknowns>& held) {
   FieldCovariance matrix = normal.data.selfadjointView<Eigen::Upper>();
   matrix += normal.prior;
   FieldNumbers right = -normal.gradient;
@@ -323,11 +323,11 @@ struct Descent {
 Descent descend(std::span<const FieldDatum> data, std::span<const double> sd_mm, FieldNumbers n, const Prior& prior,
                 Freedom freedom, int most_steps) {
   double damping = 1e-2;
-  Normal normal = normalOf(data, sd_mm, n, prior, unknownsOf(freedom));
+  Normal normal = buildNormalEquations(data, sd_mm, n, prior, unknownCount(freedom));
   for (int step = 0; step < most_steps; ++step) {
     const FieldNumbers tried =
-        clamped(n + stepOf(normal, damping, heldOf(n, normal.gradient, prior.form, freedom)), prior.form);
-    const Normal there = normalOf(data, sd_mm, tried, prior, unknownsOf(freedom));
+        clamped(n + dampedStep(normal, damping, findHeldUnknowns(n, normal.gradient, prior.form, freedom)), prior.form);
+    const Normal there = buildNormalEquations(data, sd_mm, tried, prior, unknownCount(freedom));
     if (there.cost < normal.cost) {
       const bool is_done = normal.cost - there.cost < kConverged * normal.cost;
       n = tried;
@@ -343,7 +343,7 @@ Descent descend(std::span<const FieldDatum> data, std::span<const double> sd_mm,
 }
 
 /// The contact where the skin moved most, the body at rest.
-FieldNumbers startOf(std::span<const FieldDatum> data, double tail, double width_mm) {
+FieldNumbers estimateStart(std::span<const FieldDatum> data, double tail, double width_mm) {
   std::vector<std::size_t> order(data.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   const std::size_t top = std::min<std::size_t>(5, order.size());
@@ -366,18 +366,18 @@ FieldNumbers startOf(std::span<const FieldDatum> data, double tail, double width
   return n;
 }
 
-Prior priorOf(std::span<const FieldDatum> data, const DriftPrior& drift, FieldForm form) {
+Prior makePrior(std::span<const FieldDatum> data, const DriftPrior& drift, FieldForm form) {
   double seen = 0.0;
   for (const FieldDatum& datum : data) seen = std::max(seen, datum.moved_mm.norm());
   return {form, drift, std::clamp(kPeakOverSeen * seen, 1.0, kPeakMostMm)};
 }
 
 /// Where the skin is seen at a grazing angle a pixel is many millimetres.
-double stretchOf(const FieldDatum& datum) {
+double computeStretch(const FieldDatum& datum) {
   return std::max(1.0, Eigen::JacobiSVD<Mat2>(datum.to_skin).singularValues()[0]);
 }
 
-std::vector<double> residualsOf(std::span<const FieldDatum> data, FieldForm form, const FieldNumbers& n) {
+std::vector<double> computeResiduals(std::span<const FieldDatum> data, FieldForm form, const FieldNumbers& n) {
   std::vector<double> residuals;
   const Shape shape = shapeOf(n);
   Vec2 dragged;
@@ -386,10 +386,11 @@ std::vector<double> residualsOf(std::span<const FieldDatum> data, FieldForm form
   return residuals;
 }
 
-std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const double> stretches, FieldForm form,
-                              const FieldNumbers& n) {
+std::vector<double> estimateSds(std::span<const FieldDatum> data, std::span<const double> stretches, FieldForm form,
+                                const FieldNumbers& n) {
   constexpr double kComponentOfLength = 0.6745 / 1.1774;  // medians of a component and of a length of two
-  const double noise = std::max(kMinSdMm, kSdMedians * kComponentOfLength * upperMedianOf(residualsOf(data, form, n)));
+  const double noise =
+      std::max(kMinSdMm, kSdMedians * kComponentOfLength * upperMedianOf(computeResiduals(data, form, n)));
   std::vector<double> sd;
   const Shape shape = shapeOf(n);
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -402,10 +403,10 @@ std::vector<double> weightsOf(std::span<const FieldDatum> data, std::span<const 
 
 /// Covariance by the observed scatter, for the data; priors keep theirs. All of it is less sure where the residuals
 /// show that the skin did not move as in the form.
-FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const double> sd_mm, const FieldNumbers& n,
-                             const Prior& prior) {
-  const Normal normal = normalOf(data, sd_mm, n, prior, kFieldUnknowns);
-  const std::vector<double> residuals = residualsOf(data, prior.form, n);
+FieldCovariance computeCovariance(std::span<const FieldDatum> data, std::span<const double> sd_mm,
+                                  const FieldNumbers& n, const Prior& prior) {
+  const Normal normal = buildNormalEquations(data, sd_mm, n, prior, kFieldUnknowns);
+  const std::vector<double> residuals = computeResiduals(data, prior.form, n);
   double chi2 = 0.0;
   double squares = 0.0;
   for (std::size_t i = 0; i < data.size(); ++i) {
@@ -422,13 +423,13 @@ FieldCovariance covarianceOf(std::span<const FieldDatum> data, std::span<const d
   return misfit * information.ldlt().solve(FieldCovariance::Identity());
 }
 
-std::vector<double> stretchesOf(std::span<const FieldDatum> data) {
+std::vector<double> computeStretches(std::span<const FieldDatum> data) {
   std::vector<double> stretches;
-  for (const FieldDatum& datum : data) stretches.push_back(stretchOf(datum));
+  for (const FieldDatum& datum : data) stretches.push_back(computeStretch(datum));
   return stretches;
 }
 
-std::span<const double> startWidthsOf(FieldForm form) {
+std::span<const double> startWidths(FieldForm form) {
   switch (form) {
     case FieldForm::smooth:
     case FieldForm::deep:
@@ -441,7 +442,7 @@ std::span<const double> startWidthsOf(FieldForm form) {
   return kSolvedStartWidthsMm;
 }
 
-std::span<const double> startTailsOf(FieldForm form) {
+std::span<const double> startTails(FieldForm form) {
   if (form == FieldForm::solved) return kSolvedStartTails;
   if (form == FieldForm::deep) return kDeepStartTails;
   return kStartTails;
@@ -450,13 +451,13 @@ std::span<const double> startTailsOf(FieldForm form) {
 /// Contact and drift from `known`, where there is one.
 FittedField fitOne(std::span<const FieldDatum> data, const DriftPrior& drift, std::span<const double> stretches,
                    FieldForm form, const FieldNumbers* known) {
-  const Prior prior = priorOf(data, drift, form);
+  const Prior prior = makePrior(data, drift, form);
   std::vector<double> sd;
   for (const double stretch : stretches) sd.push_back(kFirstSdMm * stretch);
   Descent best;
-  for (const double tail : startTailsOf(form)) {
-    for (const double width : startWidthsOf(form)) {
-      FieldNumbers start = startOf(data, tail, width);
+  for (const double tail : startTails(form)) {
+    for (const double width : startWidths(form)) {
+      FieldNumbers start = estimateStart(data, tail, width);
       if (known != nullptr) {
         start.segment<2>(kContact) = known->segment<2>(kContact);
         start.segment<kFirstBend - kDrift>(kDrift) = known->segment<kFirstBend - kDrift>(kDrift);
@@ -466,22 +467,24 @@ FittedField fitOne(std::span<const FieldDatum> data, const DriftPrior& drift, st
     }
   }
   for (const Freedom freedom : {Freedom::plain, Freedom::sideways, Freedom::bends}) {
-    sd = weightsOf(data, stretches, form, best.numbers);
+    sd = estimateSds(data, stretches, form, best.numbers);
     best = descend(data, sd, best.numbers, prior, freedom, kMaxSteps);
   }
-  return {form, best.numbers, covarianceOf(data, sd, best.numbers, prior), residualsOf(data, form, best.numbers)};
+  return {form, best.numbers, computeCovariance(data, sd, best.numbers, prior),
+          computeResiduals(data, form, best.numbers)};
 }
 
 /// Weight of each form: by its residuals, all of them held against the noise of the best.
-std::vector<double> sharesOf(std::span<const FieldDatum> data, const DriftPrior& drift,
-                             std::span<const double> stretches, std::span<const FittedField> forms) {
+std::vector<double> computeFormWeights(std::span<const FieldDatum> data, const DriftPrior& drift,
+                                       std::span<const double> stretches, std::span<const FittedField> forms) {
   const auto best = std::min_element(forms.begin(), forms.end(), [](const FittedField& a, const FittedField& b) {
     return upperMedianOf(a.residuals_mm) < upperMedianOf(b.residuals_mm);
   });
-  const std::vector<double> sd = weightsOf(data, stretches, best->form, best->numbers);
+  const std::vector<double> sd = estimateSds(data, stretches, best->form, best->numbers);
   std::vector<double> costs;
   for (const FittedField& form : forms) {
-    costs.push_back(normalOf(data, sd, form.numbers, priorOf(data, drift, form.form), kFieldUnknowns).cost);
+    costs.push_back(
+        buildNormalEquations(data, sd, form.numbers, makePrior(data, drift, form.form), kFieldUnknowns).cost);
   }
   const double least = *std::min_element(costs.begin(), costs.end());
   const double freedom = std::max(1.0, 2.0 * static_cast<double>(data.size()) - kFirstBend);
@@ -500,7 +503,7 @@ std::vector<double> sharesOf(std::span<const FieldDatum> data, const DriftPrior&
 
 }  // namespace
 
-SkinField fieldOf(const FieldNumbers& n, FieldForm form) {
+SkinField toSkinField(const FieldNumbers& n, FieldForm form) {
   const double mean = n[kMeanShape];
   return {n.segment<2>(kContact),
           {mean + n[kDeviator], n[kDeviator + 1], mean - n[kDeviator]},
@@ -515,24 +518,24 @@ Vec2 driftAt(const FieldNumbers& numbers, const FieldDatum& datum) {
   return datum.to_skin * (driftSlopeAt(datum.picture_mm) * numbers.tail<kDriftUnknowns>());
 }
 
-DriftPrior driftPriorOf(double drift_mm) {
+DriftPrior makeDriftPrior(double drift_mm) {
   const DriftPrior held;
   const double times = drift_mm / held.shift_mm;
   return {drift_mm, held.scale * times, held.turn * times};
 }
 
 FittedField fitField(std::span<const FieldDatum> data, const DriftPrior& drift) {
-  return fitOne(data, drift, stretchesOf(data), FieldForm::smooth, nullptr);
+  return fitOne(data, drift, computeStretches(data), FieldForm::smooth, nullptr);
 }
 
 std::vector<WeighedField> fitForms(std::span<const FieldDatum> data, const DriftPrior& drift) {
-  const std::vector<double> stretches = stretchesOf(data);
+  const std::vector<double> stretches = computeStretches(data);
   std::vector<FittedField> forms = {fitOne(data, drift, stretches, FieldForm::smooth, nullptr)};
   for (const FieldForm form : {FieldForm::pointed, FieldForm::deep, FieldForm::solved}) {
     const FieldNumbers known = forms.front().numbers;
     forms.push_back(fitOne(data, drift, stretches, form, &known));
   }
-  const std::vector<double> shares = sharesOf(data, drift, stretches, forms);
+  const std::vector<double> shares = computeFormWeights(data, drift, stretches, forms);
   std::vector<WeighedField> weighed;
   for (std::size_t i = 0; i < forms.size(); ++i) {
     if (shares[i] > 0.0) weighed.push_back({std::move(forms[i]), shares[i]});

@@ -32,7 +32,7 @@ inline constexpr int kFirstBend = 15;
 using FieldNumbers = Eigen::Matrix<double, kFieldUnknowns, 1>;
 using FieldCovariance = Eigen::Matrix<double, kFieldUnknowns, kFieldUnknowns>;
 
-SkinField fieldOf(const FieldNumbers& numbers, FieldForm form = FieldForm::smooth);
+SkinField toSkinField(const FieldNumbers& numbers, FieldForm form = FieldForm::smooth);
 /// Motion of the skin by drift, mm, at a dot.
 Vec2 driftAt(const FieldNumbers& numbers, const FieldDatum& datum);
 
@@ -42,7 +42,7 @@ struct DriftPrior {
   double turn = 0.15;   ///< mm per 100 mm
 };
 /// Proportions of a held breath.
-DriftPrior driftPriorOf(double drift_mm);
+DriftPrior makeDriftPrior(double drift_mm);
 
 struct FittedField {
   FieldForm form = FieldForm::smooth;

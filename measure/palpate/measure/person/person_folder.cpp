@@ -50,8 +50,8 @@ std::map<std::string, fs::path> picturesIn(const fs::path& folder) {
 }
 
 /// Takes its pictures out of `found`: the rest are strangers.
-PressPictures picturesOf(const fs::path& folder, const Protocol& protocol, const std::string& press,
-                         std::map<std::string, fs::path>& found) {
+PressPictures extractPictures(const fs::path& folder, const Protocol& protocol, const std::string& press,
+                              std::map<std::string, fs::path>& found) {
   const auto listed = std::ranges::find(protocol.pictures, press, &ListedPictures::press);
   const bool is_listed = listed != protocol.pictures.end();
   const auto place = [&](const char* part, const std::string& name) -> fs::path {
@@ -69,7 +69,7 @@ PressPictures picturesOf(const fs::path& folder, const Protocol& protocol, const
           place("released", names.released), names.contact_px};
 }
 
-std::vector<std::string> missingOf(const std::string& press, const PressPictures& pictures) {
+std::vector<std::string> findMissingPictures(const std::string& press, const PressPictures& pictures) {
   std::vector<std::string> missing;
   if (pictures.before.empty()) missing.push_back(press + "_before");
   if (pictures.after.empty()) missing.push_back(press + "_after");
@@ -253,8 +253,8 @@ PersonWalk walkPerson(const fs::path& folder, const MeasurePress& measure_press,
   const std::vector<PlannedPress> planned = plannedPresses(walk.protocol);
   for (const PlannedPress& press : planned) {
     report(progress, press.name, static_cast<double>(walk.presses.size()) / static_cast<double>(planned.size()));
-    WalkedPress walked{.planned = press, .pictures = picturesOf(folder, walk.protocol, press.name, found)};
-    walked.missing = missingOf(press.name, walked.pictures);
+    WalkedPress walked{.planned = press, .pictures = extractPictures(folder, walk.protocol, press.name, found)};
+    walked.missing = findMissingPictures(press.name, walked.pictures);
     if (walked.missing.empty()) {
       const std::string hash = hashOf(walk.protocol, press, walked.pictures);
       const auto known = kept.find(press.name);

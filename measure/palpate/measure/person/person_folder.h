@@ -152,8 +152,8 @@ struct PressMeasured {
 PressMeasured measurePress(const Protocol& protocol, const PlannedPress& planned, const PressPictures& pictures,
                            const Photograph& before, const Photograph& after, const Progress& progress);
 /// From a measurement that is there already.
-PressOutcome outcomeOf(const Measurement& measurement, const PlannedPress& planned,
-                       const std::optional<double>& null_drift_mm);
+PressOutcome assessPress(const Measurement& measurement, const PlannedPress& planned,
+                         const std::optional<double>& null_drift_mm);
 
 struct WalkDecisions {
   std::vector<std::string> accept = {};

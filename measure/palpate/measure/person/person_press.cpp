@@ -19,8 +19,8 @@ constexpr double kMaxAskewDeg = 45.0;
 
 }  // namespace
 
-PressOutcome outcomeOf(const Measurement& measurement, const PlannedPress& planned,
-                       const std::optional<double>& null_drift_mm) {
+PressOutcome assessPress(const Measurement& measurement, const PlannedPress& planned,
+                         const std::optional<double>& null_drift_mm) {
   PressOutcome outcome{.accepted = measurement.accepted(), .null_drift_mm = null_drift_mm};
   outcome.row = keyRow(measurement, planned.point, planned.place_mm);
   while (!outcome.row.empty() && outcome.row.back() == '\n') outcome.row.pop_back();
@@ -39,7 +39,7 @@ PressOutcome outcomeOf(const Measurement& measurement, const PlannedPress& plann
       outcome.refusals.push_back(
           fmt::format("the skin was pulled {}, and {} was asked for: pictures swapped, named "
                       "wrongly, or the head is not where the protocol says",
-                      dragWords(measurement.fit->drag_deg.value), dragWords(planned.drag_deg)));
+                      dragDirectionName(measurement.fit->drag_deg.value), dragDirectionName(planned.drag_deg)));
     }
   }
   outcome.accepted = outcome.accepted && outcome.refusals.empty();
@@ -59,7 +59,7 @@ PressMeasured measurePress(const Protocol& protocol, const PlannedPress& planned
     settings.drift_mm = std::max(settings.drift_mm, null_drift_mm.value_or(0.0));
   }
   PressMeasured measured{.measurement = measurePair(before, after, settings, progress), .outcome = {}};
-  measured.outcome = outcomeOf(measured.measurement, planned, null_drift_mm);
+  measured.outcome = assessPress(measured.measurement, planned, null_drift_mm);
   return measured;
 }
 

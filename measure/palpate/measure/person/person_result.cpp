@@ -27,7 +27,7 @@ std::vector<PressRow> countingRows(const PersonWalk& walk) {
   return parsePresses(table, (walk.folder / kMeasuredFile).string());
 }
 
-std::optional<PlaceFits> stiffnessOf(const fs::path& file, const Progress& progress) {
+std::optional<PlaceFits> loadStiffness(const fs::path& file, const Progress& progress) {
   if (!fs::exists(file)) return std::nullopt;
   PlaceFits fits = fitPlaces(readPlaceCurves(file), {}, progress);
   for (const PlaceStiffness& place : fits.places) {
@@ -106,7 +106,7 @@ std::string checklist(const Protocol& protocol) {
 PersonResult writePerson(const PersonWalk& walk, const Progress& progress) {
   if (!walk.complete()) throw Error::inFile(walk.folder.string(), "is not complete");
   PersonResult result{.averages = averagePresses(countingRows(walk))};
-  result.stiffness = stiffnessOf(walk.folder / kForcesFile, progress);
+  result.stiffness = loadStiffness(walk.folder / kForcesFile, progress);
   const std::string table = personTable(result.averages, result.stiffness);
   const auto write = [&](const char* name, const std::string& text) {
     writeFile(walk.folder / name, text);

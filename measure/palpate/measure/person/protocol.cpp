@@ -31,7 +31,7 @@ bool isPlain(std::string_view text) {
 
 using ProtocolTable = scene::TomlTable;
 
-HeadTowards headOf(const ProtocolTable& table) {
+HeadTowards readHeadDirection(const ProtocolTable& table) {
   std::string word = "top";
   table.read("head", word);
   const auto found = std::ranges::find(kHeadWords, word);
@@ -39,7 +39,7 @@ HeadTowards headOf(const ProtocolTable& table) {
   return static_cast<HeadTowards>(found - kHeadWords.begin());
 }
 
-std::vector<ProtocolDrag> dragsOf(const ProtocolTable& table) {
+std::vector<ProtocolDrag> readDrags(const ProtocolTable& table) {
   std::vector<ProtocolDrag> drags;
   const scene::TomlNode* node = table.node("drags");
   const scene::TomlList* list = node == nullptr ? nullptr : node->list();
@@ -64,7 +64,7 @@ void eachTable(const scene::TomlNode& root, const char* name, std::string_view f
   for (const scene::TomlNode& one : *node->list()) read(one);
 }
 
-ProtocolPoint pointOf(const scene::TomlNode& table, std::string_view file) {
+ProtocolPoint readPoint(const scene::TomlNode& table, std::string_view file) {
   const ProtocolTable keys(table, file, "[[point]]", {"name", "at", "x_mm", "y_mm"});
   ProtocolPoint point;
   keys.read("name", point.name);
@@ -77,7 +77,7 @@ ProtocolPoint pointOf(const scene::TomlNode& table, std::string_view file) {
   return point;
 }
 
-ListedPictures picturesOf(const scene::TomlNode& table, std::string_view file) {
+ListedPictures readListedPictures(const scene::TomlNode& table, std::string_view file) {
   const ProtocolTable keys(table, file, "[[pictures]]",
                            {"press", "before", "before2", "after", "released", "contact_px"});
   ListedPictures listed;
@@ -141,12 +141,12 @@ Protocol parseProtocol(std::string_view text, std::string_view file) {
   keys.read("enough", protocol.enough, {1.0, 99.0});
   keys.read("stature_mm", protocol.stature_mm, {500.0, 2500.0});
   keys.read("body_mass_index", protocol.body_mass_index, {16.0, 45.0});
-  protocol.head = headOf(keys);
-  protocol.drags = dragsOf(keys);
+  protocol.head = readHeadDirection(keys);
+  protocol.drags = readDrags(keys);
   eachTable(root, "point", file,
-            [&](const scene::TomlNode& table) { protocol.points.push_back(pointOf(table, file)); });
+            [&](const scene::TomlNode& table) { protocol.points.push_back(readPoint(table, file)); });
   eachTable(root, "pictures", file,
-            [&](const scene::TomlNode& table) { protocol.pictures.push_back(picturesOf(table, file)); });
+            [&](const scene::TomlNode& table) { protocol.pictures.push_back(readListedPictures(table, file)); });
   checkTogether(protocol, file);
   return protocol;
 }

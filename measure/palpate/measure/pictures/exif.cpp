@@ -42,7 +42,7 @@ bool hasForm(std::string_view text) {
   });
 }
 
-std::optional<double> secondsOf(std::string_view text, std::string_view fractions) {
+std::optional<double> parseDateTime(std::string_view text, std::string_view fractions) {
   using namespace std::chrono;
   if (!hasForm(text)) return std::nullopt;
   const auto part = [&](std::size_t at, std::size_t count) { return *digits(text.substr(at, count)); };
@@ -88,8 +88,8 @@ Exif readExif(const TiffDirectory& first, std::string_view block, bool big_endia
   const std::uint32_t orientation = first.number(kOrientationTag).value_or(1);
   if (orientation >= 1 && orientation <= 8) exif.orientation = static_cast<int>(orientation);
   const TiffDirectory details(block, big_endian, first.number(kExifDirectory).value_or(0));
-  exif.taken_at_s = secondsOf(details.text(kDateTimeOriginal), details.text(kFractionsOriginal));
-  if (!exif.taken_at_s) exif.taken_at_s = secondsOf(first.text(kDateTime), details.text(kFractions));
+  exif.taken_at_s = parseDateTime(details.text(kDateTimeOriginal), details.text(kFractionsOriginal));
+  if (!exif.taken_at_s) exif.taken_at_s = parseDateTime(first.text(kDateTime), details.text(kFractions));
   return exif;
 }
 

@@ -25,7 +25,7 @@ class Segments {
     for (int marker = nextMarker(); marker != 0xd9; marker = nextMarker()) {
       const bool stands_alone = marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8);
       if (stands_alone) continue;
-      const std::string_view segment = takeSegment();
+      const std::string_view segment = readSegment();
       if (isFrame(marker)) readFrame(segment);
       if (marker == 0xe1) readApplication(segment);
       if (marker == 0xda) skipScan();
@@ -49,7 +49,7 @@ class Segments {
     return static_cast<int>(byteAt(at_++));
   }
 
-  std::string_view takeSegment() {
+  std::string_view readSegment() {
     if (at_ + 2 > bytes_.size()) throw Error::inFile(name_, kTruncated);
     const std::size_t length = byteAt(at_) * std::size_t{256} + byteAt(at_ + 1);
     if (length < 2) throw Error::inFile(name_, kDamaged);

@@ -108,7 +108,7 @@ std::vector<std::string> notesOn(const PictureHeader& header) {
   return notes;
 }
 
-Photograph photographOf(const cv::Mat& bgr, std::string_view name, const PictureHeader& header) {
+Photograph makePhotograph(const cv::Mat& bgr, std::string_view name, const PictureHeader& header) {
   Photograph photograph{.name = std::string(name), .width_px = bgr.cols, .height_px = bgr.rows};
   photograph.rgb.resize(bgr.total() * 3);
   cv::Mat rgb(bgr.size(), CV_8UC3, photograph.rgb.data());
@@ -126,11 +126,11 @@ Photograph decodeOwned(std::string& bytes, std::string_view name) {
     bytes[header.orientation_at + 1] = header.orientation_big_endian ? '\1' : '\0';
   }
   const cv::Mat coded(1, static_cast<int>(bytes.size()), CV_8UC1, bytes.data());
-  return photographOf(turned(decode(coded, header, name), header.exif.orientation), name, header);
+  return makePhotograph(turned(decode(coded, header, name), header.exif.orientation), name, header);
 }
 
 /// Throws Error where size and pixels do not fit.
-cv::Mat viewOf(const Photograph& picture) {
+cv::Mat asCvMat(const Photograph& picture) {
   if (picture.width_px <= 0 || picture.height_px <= 0 ||
       picture.rgb.size() !=
           std::size_t{3} * static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px)) {
@@ -142,7 +142,7 @@ cv::Mat viewOf(const Photograph& picture) {
 
 std::string encoded(const Photograph& picture, const char* extension, const std::vector<int>& settings) {
   cv::Mat bgr;
-  cv::cvtColor(viewOf(picture), bgr, cv::COLOR_RGB2BGR);
+  cv::cvtColor(asCvMat(picture), bgr, cv::COLOR_RGB2BGR);
   std::vector<uchar> bytes;
   if (!cv::imencode(extension, bgr, bytes, settings)) throw Error("a picture cannot be encoded");
   return {bytes.begin(), bytes.end()};
@@ -186,7 +186,7 @@ Photograph reducedTo(const Photograph& picture, int width_px) {
   reduced.height_px = std::max(1, static_cast<int>(std::lround(share * picture.height_px)));
   reduced.rgb.resize(std::size_t{3} * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(reduced.height_px));
   cv::Mat to(reduced.height_px, width_px, CV_8UC3, reduced.rgb.data());
-  cv::resize(viewOf(picture), to, to.size(), 0.0, 0.0, cv::INTER_AREA);
+  cv::resize(asCvMat(picture), to, to.size(), 0.0, 0.0, cv::INTER_AREA);
   return reduced;
 }
 

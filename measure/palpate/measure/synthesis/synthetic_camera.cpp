@@ -37,7 +37,7 @@ SyntheticCamera::SyntheticCamera(const SyntheticCase& made, const SyntheticBody&
   focal_px_ = most * pose.distance_mm;
   for (double along = -1.0; along <= 1.0; along += 0.1) {
     for (const Vec2& rim : {Vec2(along, 1.0), Vec2(along, -1.0), Vec2(1.0, along), Vec2(-1.0, along)}) {
-      const Vec2 seen = bareOf(body.placeAt(rim.cwiseProduct(Vec2(kHalfWidthMm, kHalfLengthMm))));
+      const Vec2 seen = projectUndistorted(body.placeAt(rim.cwiseProduct(Vec2(kHalfWidthMm, kHalfLengthMm))));
       const Vec2 room = kFill * middle_px_.cwiseQuotient(seen.cwiseAbs().cwiseMax(1e-9));
       focal_px_ = std::min({focal_px_, room.x(), room.y()});
     }
@@ -48,13 +48,13 @@ SyntheticCamera::SyntheticCamera(const SyntheticCase& made, const SyntheticBody&
   eye_ += pose.later_shift_mm.x() * right_ + pose.later_shift_mm.y() * up_;
 }
 
-Vec2 SyntheticCamera::bareOf(const Vec3& place) const {
+Vec2 SyntheticCamera::projectUndistorted(const Vec3& place) const {
   const Vec3 offset = place - eye_;
   return Vec2(right_.dot(offset), -up_.dot(offset)) / forward_.dot(offset);
 }
 
-Vec2 SyntheticCamera::pixelOf(const Vec3& place) const {
-  const Vec2 bare = bareOf(place);
+Vec2 SyntheticCamera::project(const Vec3& place) const {
+  const Vec2 bare = projectUndistorted(place);
   return middle_px_ + focal_px_ * (1.0 + distortion_ * bare.squaredNorm() / (corner_ * corner_)) * bare;
 }
 

@@ -13,7 +13,7 @@ class SyntheticCamera {
   SyntheticCamera(const SyntheticCase& made, const SyntheticBody& body, bool later);
 
   /// Pixels from the centre of the top left one, x to the right, y down.
-  Vec2 pixelOf(const Vec3& place) const;
+  Vec2 project(const Vec3& place) const;
   /// Distance along the line of sight.
   double depthOf(const Vec3& place) const { return forward_.dot(place - eye_); }
   const Vec3& eye() const { return eye_; }
@@ -22,7 +22,7 @@ class SyntheticCamera {
 
  private:
   void stand(const CameraPose& pose, const Vec3& aim, double roll_rad);
-  Vec2 bareOf(const Vec3& place) const;
+  Vec2 projectUndistorted(const Vec3& place) const;
 
   Vec3 eye_ = Vec3::Zero();
   Vec3 right_ = Vec3::UnitX();

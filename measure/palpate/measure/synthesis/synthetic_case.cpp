@@ -21,7 +21,7 @@ int between(Random& random, int least, int most) {
 }
 
 /// A separate stream for each part, so that drawing more for one does not change the others.
-Random streamOf(std::uint64_t seed, std::uint64_t part) {
+Random makeRandomStream(std::uint64_t seed, std::uint64_t part) {
   Random mixed(seed ^ (part * 0xd1342543de82ef95ull));
   return Random(mixed.bits());
 }
@@ -132,14 +132,14 @@ SyntheticCase drawCase(std::uint64_t seed, const CaseRequests& requests) {
   const double unit = std::sqrt(requests.megapixels * 1e6 / 12.0) / 8.0;
   drawn.width_px = 8 * static_cast<int>(std::lround(3.0 * unit));
   drawn.height_px = 8 * static_cast<int>(std::lround(4.0 * unit));
-  drawn.back = drawBack(streamOf(seed, 1));
-  drawn.skin = drawSkin(streamOf(seed, 2));
-  drawn.marks = drawMarks(streamOf(seed, 3));
-  drawn.press = drawPress(streamOf(seed, 4), requests.family);
-  drawn.camera = drawCamera(streamOf(seed, 5));
-  drawn.motion = drawMotion(streamOf(seed, 6).bits(), requests.drift_mm);
-  drawn.null_motion = drawMotion(streamOf(seed, 7).bits(), requests.drift_mm);
-  drawn.look = drawLook(streamOf(seed, 8));
+  drawn.back = drawBack(makeRandomStream(seed, 1));
+  drawn.skin = drawSkin(makeRandomStream(seed, 2));
+  drawn.marks = drawMarks(makeRandomStream(seed, 3));
+  drawn.press = drawPress(makeRandomStream(seed, 4), requests.family);
+  drawn.camera = drawCamera(makeRandomStream(seed, 5));
+  drawn.motion = drawMotion(makeRandomStream(seed, 6).bits(), requests.drift_mm);
+  drawn.null_motion = drawMotion(makeRandomStream(seed, 7).bits(), requests.drift_mm);
+  drawn.look = drawLook(makeRandomStream(seed, 8));
   return drawn;
 }
 

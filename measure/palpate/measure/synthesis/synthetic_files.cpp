@@ -112,7 +112,7 @@ std::vector<std::filesystem::path> writeSynthetic(const std::filesystem::path& f
     writeJpeg(files.back(), picture, made.look.jpeg_quality);
   }
   files.push_back(folder / "truth.json");
-  writeFile(files.back(), truthJson(made, truthOf(made)));
+  writeFile(files.back(), truthJson(made, computeTruth(made)));
   return files;
 }
 

@@ -28,7 +28,7 @@ SyntheticMesh::SyntheticMesh(const SyntheticCase& made, const SyntheticBody& bod
       const Vec2 skin(-kHalfWidthMm + kStepMm * column, -kHalfLengthMm + kStepMm * row);
       places[i] = movedBody(pressed != nullptr ? body.pressedAt(skin, *pressed) : body.placeAt(skin), motion);
       nodes_[i].place = skin.cast<float>();
-      nodes_[i].pixel = camera.pixelOf(places[i]).cast<float>();
+      nodes_[i].pixel = camera.project(places[i]).cast<float>();
       nodes_[i].depth = static_cast<float>(camera.depthOf(places[i]));
     }
   }

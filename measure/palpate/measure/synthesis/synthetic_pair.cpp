@@ -30,7 +30,7 @@ const std::vector<float>& normals() {
 }
 
 /// Light to screen values, by a table: 16 bits of a channel from 12 bits of light.
-std::uint16_t shownOf(float light) {
+std::uint16_t encodeSrgb16(float light) {
   static const std::vector<std::uint16_t> table = [] {
     std::vector<std::uint16_t> values(4097);
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -64,24 +64,24 @@ struct Stage {
 
 Vec2 contactPixel(const SyntheticCase& made, const SyntheticBody& body, const TrueField& field,
                   const SyntheticCamera& camera) {
-  return camera.pixelOf(movedBody(body.pressedAt(made.press.contact_mm, field), made.motion));
+  return camera.project(movedBody(body.pressedAt(made.press.contact_mm, field), made.motion));
 }
 
-StickPicture stickOf(const SyntheticCase& made, const SyntheticBody& body, const TrueField& field,
-                     const SyntheticCamera& camera) {
+StickPicture drawPressStick(const SyntheticCase& made, const SyntheticBody& body, const TrueField& field,
+                            const SyntheticCamera& camera) {
   if (!made.press.stick) return {};
   const Vec2 tip = contactPixel(made, body, field, camera);
   const double angle = made.press.drag_rad + std::numbers::pi + made.press.stick_turn_rad;
   const Vec2 behind = made.press.contact_mm + field.displacementAt(made.press.contact_mm) +
                       10.0 * Vec2(std::cos(angle), std::sin(angle));
   const Vec2 seen =
-      camera.pixelOf(movedBody(body.placeAt(behind), made.motion)) -
-      camera.pixelOf(movedBody(body.placeAt(behind - 10.0 * Vec2(std::cos(angle), std::sin(angle))), made.motion));
+      camera.project(movedBody(body.placeAt(behind), made.motion)) -
+      camera.project(movedBody(body.placeAt(behind - 10.0 * Vec2(std::cos(angle), std::sin(angle))), made.motion));
   return drawStick(made, tip, seen.normalized(), camera.pixelsPerMm());
 }
 
 /// A cloth under the body.
-cv::Mat clothOf(const SyntheticCase& made) {
+cv::Mat paintCloth(const SyntheticCase& made) {
   Random random(made.look.seed ^ 0x9d39247e33776d41ull);
   cv::Mat_<cv::Vec3f> cloth(made.height_px / 40 + 4, made.width_px / 40 + 4);
   const auto blue = static_cast<float>(random.uniform(0.24, 0.38));
@@ -95,7 +95,7 @@ cv::Mat clothOf(const SyntheticCase& made) {
 class Painter {
  public:
   Painter(const Stage& stage, const SyntheticCamera& camera, const StickPicture& stick)
-      : stage_(stage), stick_(stick), cloth_(clothOf(stage.made)), scale_(camera.pixelsPerMm()) {}
+      : stage_(stage), stick_(stick), cloth_(paintCloth(stage.made)), scale_(camera.pixelsPerMm()) {}
 
   cv::Mat paint(const SyntheticMesh& mesh) {
     const SyntheticCase& made = stage_.made;
@@ -121,7 +121,7 @@ class Painter {
       const auto* place = seen_.place.ptr<cv::Vec2f>(y);
       auto* texel = texels.ptr<cv::Vec2f>(y);
       for (int x = 0; x < texels.cols; ++x) {
-        const cv::Point2f at = stage_.skin.texelOf({place[x][0], place[x][1]});
+        const cv::Point2f at = stage_.skin.toTexel({place[x][0], place[x][1]});
         texel[x] = {at.x, at.y};
       }
     }
@@ -175,7 +175,7 @@ class Painter {
       const float corner = (across * across + from_middle * from_middle) / 2.8f;  // about 1 in the corner
       const float kept = static_cast<float>(look.exposure) * (1.0f - static_cast<float>(look.vignette) * corner);
       for (int channel = 0; channel < 3; ++channel) {
-        shown[x][channel] = shownOf(kept * static_cast<float>(look.balance[channel]) * light[channel]);
+        shown[x][channel] = encodeSrgb16(kept * static_cast<float>(look.balance[channel]) * light[channel]);
       }
     }
   }
@@ -219,7 +219,7 @@ Photograph render(const Stage& stage, Moment moment) {
   const SyntheticCase& made = stage.made;
   const bool after = moment == Moment::after;
   const SyntheticCamera camera(made, stage.body, after);
-  const StickPicture stick = after ? stickOf(made, stage.body, stage.field, camera) : StickPicture{};
+  const StickPicture stick = after ? drawPressStick(made, stage.body, stage.field, camera) : StickPicture{};
   const BodyMotion motion = after ? made.motion : moment == Moment::again ? made.null_motion : BodyMotion{};
   const SyntheticMesh mesh(made, stage.body, camera, after ? &stage.field : nullptr, motion);
   Photograph photograph = developed(Painter(stage, camera, stick).paint(mesh), made.look, moment);
@@ -249,12 +249,12 @@ double coveredShare(const cv::Mat& cover, const Vec2& middle_px, double radius_p
 
 }  // namespace
 
-SyntheticTruth truthOf(const SyntheticCase& made) {
+SyntheticTruth computeTruth(const SyntheticCase& made) {
   const SyntheticBody body(made.back);
   const TrueField field(made.press);
   const SyntheticCamera before(made, body, false);
   const SyntheticCamera after(made, body, true);
-  const StickPicture stick = stickOf(made, body, field, after);
+  const StickPicture stick = drawPressStick(made, body, field, after);
   const InkMarks marks = layMarks(made.marks);
   SyntheticTruth truth;
   for (const InkMark& mark : marks.dots) {
@@ -262,17 +262,17 @@ SyntheticTruth truthOf(const SyntheticCase& made) {
     dot.site = mark.site;
     dot.skin_mm = mark.skin_mm;
     dot.moved_mm = field.displacementAt(mark.skin_mm);
-    dot.before_px = before.pixelOf(body.placeAt(mark.skin_mm));
-    dot.after_px = after.pixelOf(movedBody(body.pressedAt(mark.skin_mm, field), made.motion));
+    dot.before_px = before.project(body.placeAt(mark.skin_mm));
+    dot.after_px = after.project(movedBody(body.pressedAt(mark.skin_mm, field), made.motion));
     dot.covered = coveredShare(stick.cover, dot.after_px, mark.radius_mm * after.pixelsPerMm());
     truth.dots.push_back(dot);
   }
-  for (const InkMark& mark : marks.strays) truth.strays_px.push_back(before.pixelOf(body.placeAt(mark.skin_mm)));
+  for (const InkMark& mark : marks.strays) truth.strays_px.push_back(before.project(body.placeAt(mark.skin_mm)));
   truth.field = field.formula();
   truth.at_2_mm = field.ellipseAt(2.0);
   truth.at_4_mm = field.ellipseAt(4.0);
   truth.drag_deg = made.press.drag_rad * kDegPerRad;
-  truth.contact_px = before.pixelOf(body.placeAt(made.press.contact_mm));
+  truth.contact_px = before.project(body.placeAt(made.press.contact_mm));
   truth.tip_px = contactPixel(made, body, field, after);
   truth.px_per_mm = before.pixelsPerMm();
   return truth;
@@ -301,7 +301,7 @@ Photograph throughJpeg(const Photograph& picture, int quality) {
 SyntheticPair renderPair(const SyntheticCase& made) {
   const Stage stage(made);
   return {throughJpeg(render(stage, Moment::before), made.look.jpeg_quality),
-          throughJpeg(render(stage, Moment::after), made.look.jpeg_quality), truthOf(made)};
+          throughJpeg(render(stage, Moment::after), made.look.jpeg_quality), computeTruth(made)};
 }
 
 OneThread::OneThread() : before_(cv::getNumThreads()) { cv::setNumThreads(1); }

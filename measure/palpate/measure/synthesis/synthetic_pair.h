@@ -51,7 +51,7 @@ enum class Moment : unsigned char { before, after, again };
 Photograph renderPicture(const SyntheticCase& made, Moment moment);
 /// Pictures as from a camera: through JPEG of the case's quality.
 SyntheticPair renderPair(const SyntheticCase& made);
-SyntheticTruth truthOf(const SyntheticCase& made);
+SyntheticTruth computeTruth(const SyntheticCase& made);
 
 /// The picture after JPEG compression.
 Photograph throughJpeg(const Photograph& picture, int quality);

@@ -16,12 +16,12 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
 cv::Vec3f linear(double red, double green, double blue) {
-  return {static_cast<float>(lightOf(red / 255.0)), static_cast<float>(lightOf(green / 255.0)),
-          static_cast<float>(lightOf(blue / 255.0))};
+  return {static_cast<float>(decodeSrgb(red / 255.0)), static_cast<float>(decodeSrgb(green / 255.0)),
+          static_cast<float>(decodeSrgb(blue / 255.0))};
 }
 
 /// Smooth noise of variance about 1 with bumps of this size.
-cv::Mat noiseOf(cv::Size size, double bump_texels, Random& random) {
+cv::Mat makeSmoothNoise(cv::Size size, double bump_texels, Random& random) {
   const cv::Size coarse(static_cast<int>(size.width / bump_texels) + 4,
                         static_cast<int>(size.height / bump_texels) + 4);
   cv::Mat_<float> small(coarse);
@@ -44,7 +44,7 @@ double rise(double from, double to, double x) {
 /// Texels around a place, each with its offset from there in mm.
 template <class Paint>
 void around(cv::Mat& albedo, const SkinTexture& texture, const Vec2& place, double reach_mm, const Paint& paint) {
-  const cv::Point2f middle = texture.texelOf(place);
+  const cv::Point2f middle = texture.toTexel(place);
   const auto reach = static_cast<float>(reach_mm * texture.texels_per_mm);
   const int left = std::max(0, static_cast<int>(middle.x - reach));
   const int right = std::min(albedo.cols - 1, static_cast<int>(middle.x + reach) + 1);
@@ -122,7 +122,7 @@ void paintHairs(cv::Mat& albedo, const SkinTexture& texture, const SkinLook& loo
     const double step = random.uniform(5.0, 22.0) / kPieces;
     std::vector<cv::Point> line;
     for (int piece = 0; piece < kPieces; ++piece) {
-      const cv::Point2f texel = texture.texelOf(place);
+      const cv::Point2f texel = texture.toTexel(place);
       line.emplace_back(cv::saturate_cast<int>(texel.x * (1 << kShift)),
                         cv::saturate_cast<int>(texel.y * (1 << kShift)));
       place += step * Vec2(std::cos(angle), std::sin(angle));
@@ -173,7 +173,7 @@ void paintInk(cv::Mat& albedo, const SkinTexture& texture, const SyntheticCase& 
 
 }  // namespace
 
-double lightOf(double shown) { return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4); }
+double decodeSrgb(double shown) { return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4); }
 
 cv::Vec3f skinColour(int colour) {
   switch (colour) {
@@ -188,7 +188,7 @@ cv::Vec3f skinColour(int colour) {
   }
 }
 
-cv::Point2f SkinTexture::texelOf(const Vec2& skin_mm) const {
+cv::Point2f SkinTexture::toTexel(const Vec2& skin_mm) const {
   return {static_cast<float>((skin_mm.x() + kHalfWidthMm) * texels_per_mm - 0.5),
           static_cast<float>((kHalfLengthMm - skin_mm.y()) * texels_per_mm - 0.5)};
 }
@@ -220,9 +220,9 @@ SkinTexture paintSkin(const SyntheticCase& made, const InkMarks& marks, double t
   Random random(made.skin.seed);
   cv::Mat light(size, CV_32F, cv::Scalar(1.0));
   for (const auto& [bump_mm, strength] : {std::pair(40.0, 0.06), {8.0, 0.035}, {2.0, 0.03}, {0.6, 0.03}}) {
-    cv::scaleAdd(noiseOf(size, bump_mm * texels_per_mm, random), strength, light, light);
+    cv::scaleAdd(makeSmoothNoise(size, bump_mm * texels_per_mm, random), strength, light, light);
   }
-  const cv::Mat blotches = noiseOf(size, 22.0 * texels_per_mm, random);
+  const cv::Mat blotches = makeSmoothNoise(size, 22.0 * texels_per_mm, random);
   const cv::Vec3f base = skinColour(made.skin.colour);
   cv::Mat albedo(size, CV_32FC3);
   for (int y = 0; y < size.height; ++y) {

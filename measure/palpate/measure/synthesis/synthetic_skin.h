@@ -31,13 +31,13 @@ struct SkinTexture {
   double texels_per_mm = 4.0;
 
   /// A place of the skin, in texels from the centre of the first.
-  cv::Point2f texelOf(const Vec2& skin_mm) const;
+  cv::Point2f toTexel(const Vec2& skin_mm) const;
 };
 
 SkinTexture paintSkin(const SyntheticCase& made, const InkMarks& marks, double texels_per_mm);
 
 /// From screen values, 0 to 1, to light.
-double lightOf(double shown);
+double decodeSrgb(double shown);
 /// Linear, of the skin colours 0 to 3.
 cv::Vec3f skinColour(int colour);
 

@@ -82,7 +82,7 @@ void drawHand(Shapes& shapes, const SyntheticCase& made, double length) {
 }
 
 /// Shadow is soft: a small picture is enough.
-cv::Mat shadowOf(const cv::Mat& cover, const Vec2& thrown_px, double soft_px) {
+cv::Mat castShadow(const cv::Mat& cover, const Vec2& thrown_px, double soft_px) {
   const double small = std::min(1.0, 4.0 / soft_px);
   cv::Mat low;
   cv::resize(cover, low, {}, small, small, cv::INTER_AREA);
@@ -106,7 +106,7 @@ StickPicture drawStick(const SyntheticCase& made, const Vec2& tip_px, const Vec2
   drawHand(shapes, made, made.press.stick_length_mm);
   // Colours are mixed into black at the rim of a shape; the cover is their weight.
   const Vec2 from_light = -Vec2(made.look.light.x(), -made.look.light.y()) / made.look.light.z();
-  picture.shadow = shadowOf(picture.cover, 28.0 * px_per_mm * from_light, 6.0 * px_per_mm);
+  picture.shadow = castShadow(picture.cover, 28.0 * px_per_mm * from_light, 6.0 * px_per_mm);
   return picture;
 }
 

@@ -32,7 +32,7 @@ bool readHeader(const CsvRow& row) {
   return has_area;
 }
 
-Dot dotOf(const CsvRow& row, bool has_area) {
+Dot parseDot(const CsvRow& row, bool has_area) {
   const std::size_t wanted = has_area ? kFields + 1 : kFields;
   if (row.fields.size() != wanted) {
     throw Error::atLine(row.file, row.line,
@@ -49,7 +49,7 @@ void addRow(const CsvRow& row, bool has_area, DotPair& pair) {
     throw Error::atLine(row.file, row.line, fmt::format("picture '{}' is neither before nor after", oneLine(picture)));
   }
   std::vector<Dot>& dots = picture == "before" ? pair.before : pair.after;
-  dots.push_back(dotOf(row, has_area));
+  dots.push_back(parseDot(row, has_area));
   if (dots.size() > kMaxTableMarks) {
     throw Error::atLine(row.file, row.line, fmt::format("more than {} dots of one picture", kMaxTableMarks));
   }
@@ -78,7 +78,7 @@ DotPair parseDotTable(std::string_view text, std::string_view file) {
   return pair;
 }
 
-std::string dotTableOf(const Measurement& measurement) {
+std::string formatDotTable(const Measurement& measurement) {
   std::string table = fmt::format("{},{}\n", kHeader, kArea);
   const auto add = [&](const char* picture, const Dot& dot) {
     table += fmt::format("{},{:.3f},{:.3f},{:.1f}\n", picture, dot.place_px.x(), dot.place_px.y(), dot.area_px);

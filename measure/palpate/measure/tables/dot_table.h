@@ -22,6 +22,6 @@ DotPair parseDotTable(std::string_view text, std::string_view file);
 inline constexpr std::size_t kMaxTableMarks = 20'000;
 
 /// All marks of a measurement as such a table, to be corrected and measured again.
-std::string dotTableOf(const Measurement& measurement);
+std::string formatDotTable(const Measurement& measurement);
 
 }  // namespace palpate::measure

@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kDayMs = 86'400'000;
 
-int removeFilesOf(const RecordingFiles& files, const Uuid& session) {
+int removeSessionFiles(const RecordingFiles& files, const Uuid& session) {
   int removed = 0;
-  for (const fs::path& file : files.filesOf(session)) removed += fs::remove(file) ? 1 : 0;
+  for (const fs::path& file : files.sessionFiles(session)) removed += fs::remove(file) ? 1 : 0;
   return removed;
 }
 
@@ -43,7 +43,7 @@ void noteParts(Store& store, const SessionRow& session) {
 /// pages of before it was switched on.
 void sweepFile(Store& store) { store.rows().sql().run("VACUUM; PRAGMA wal_checkpoint(TRUNCATE)"); }
 
-std::int64_t endOf(const SessionRow& session) { return std::max(session.start_ms, session.end_ms); }
+std::int64_t sessionEndMs(const SessionRow& session) { return std::max(session.start_ms, session.end_ms); }
 
 enum class Tell : std::uint8_t { nobody, the_class };
 
@@ -53,7 +53,7 @@ Deleted forget(Store& store, const TraineeRow& trainee, std::string_view actor, 
   Deleted deleted{.found = true};
   if (!trainee.key_ref.empty()) deleted.key = files.vault().destroy(trainee.key_ref);
   const std::vector<SessionRow> sessions = store.sessions(trainee.id);
-  for (const SessionRow& session : sessions) deleted.files += removeFilesOf(files, session.id);
+  for (const SessionRow& session : sessions) deleted.files += removeSessionFiles(files, session.id);
 
   RowTables& rows = store.rows();
   const std::int64_t trials_before = rows.trialCount();
@@ -105,10 +105,10 @@ std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms)
     of.trainee = trainee;
     of.nothing_left = trainee.created_ms < oldest_rows;
     for (const SessionRow& session : rows.sessions(trainee.id)) {
-      const bool old = endOf(session) < oldest_rows;
+      const bool old = sessionEndMs(session) < oldest_rows;
       of.nothing_left = of.nothing_left && old;
       if (old) of.sessions.push_back(session);
-      if (endOf(session) < std::max(oldest_files, oldest_rows)) of.files.push_back(session);
+      if (sessionEndMs(session) < std::max(oldest_files, oldest_rows)) of.files.push_back(session);
     }
     all.push_back(std::move(of));
   }
@@ -120,10 +120,10 @@ Purged purge(Store& store, std::int64_t now_ms, bool really) {
   Purged purged;
   for (const KeptLongEnough& of : keptLongEnough(store.rows(), now_ms)) {
     for (const SessionRow& session : of.files) {
-      if (files.filesOf(session.id).empty()) continue;
+      if (files.sessionFiles(session.id).empty()) continue;
       ++purged.files;
       if (!really) continue;
-      removeFilesOf(files, session.id);
+      removeSessionFiles(files, session.id);
       store.rows().sql().change("UPDATE session SET file = '' WHERE id = $1", {session.id});
     }
     purged.sessions += static_cast<int>(of.sessions.size());

@@ -64,7 +64,7 @@ LockHeader newHeader(const std::string& key_ref) {
 }
 
 /// Nothing where the file begins otherwise.
-std::optional<LockHeader> headerOf(ByteFile& file) {
+std::optional<LockHeader> readLockHeader(ByteFile& file) {
   LockHeader header;
   if (!file.isOpen() || !file.read(0, kFixedHeader, header.bytes) || !header.bytes.starts_with(kLockMagic)) {
     return std::nullopt;
@@ -94,7 +94,7 @@ class PieceCipher {
     std::string sealed(plain.size() + kSealBytes, '\0');
     begin(number, last, true);
     int written = 0;
-    check(::EVP_EncryptUpdate(context_.get(), bytesOf(sealed), &written, bytesOf(plain), sizeOf(plain)));
+    check(::EVP_EncryptUpdate(context_.get(), bytesOf(sealed), &written, bytesOf(plain), intSize(plain)));
     check(::EVP_EncryptFinal_ex(context_.get(), bytesOf(sealed) + written, &written));
     check(::EVP_CIPHER_CTX_ctrl(context_.get(), EVP_CTRL_GCM_GET_TAG, kSealBytes, bytesOf(sealed) + plain.size()));
     return sealed;
@@ -107,7 +107,7 @@ class PieceCipher {
     std::string plain(inside.size(), '\0');
     begin(number, last, false);
     int written = 0;
-    check(::EVP_DecryptUpdate(context_.get(), bytesOf(plain), &written, bytesOf(inside), sizeOf(inside)));
+    check(::EVP_DecryptUpdate(context_.get(), bytesOf(plain), &written, bytesOf(inside), intSize(inside)));
     check(::EVP_CIPHER_CTX_ctrl(context_.get(), EVP_CTRL_GCM_SET_TAG, kSealBytes, seal.data()));
     if (::EVP_DecryptFinal_ex(context_.get(), bytesOf(plain) + written, &written) != 1) return std::nullopt;
     return plain;
@@ -117,7 +117,7 @@ class PieceCipher {
   static void check(int done) {
     if (done != 1) throw Error("AES failed in OpenSSL");
   }
-  static int sizeOf(std::string_view bytes) { return static_cast<int>(bytes.size()); }
+  static int intSize(std::string_view bytes) { return static_cast<int>(bytes.size()); }
 
   void begin(std::uint32_t number, bool last, bool encrypt) {
     std::string nonce = header_.nonce;
@@ -126,7 +126,7 @@ class PieceCipher {
                               encrypt ? 1 : 0));
     const std::string known = header_.bytes + (last ? 'L' : '-');
     int ignored = 0;
-    check(::EVP_CipherUpdate(context_.get(), nullptr, &ignored, bytesOf(std::string_view(known)), sizeOf(known)));
+    check(::EVP_CipherUpdate(context_.get(), nullptr, &ignored, bytesOf(std::string_view(known)), intSize(known)));
   }
 
   std::unique_ptr<EVP_CIPHER_CTX, decltype(&::EVP_CIPHER_CTX_free)> context_;
@@ -165,7 +165,7 @@ void lockFile(const std::filesystem::path& in, const std::filesystem::path& out,
 
 void unlockFile(const std::filesystem::path& in, const std::filesystem::path& out, const TraineeKey& key) {
   ByteFile sealed(in);
-  const auto header = headerOf(sealed);
+  const auto header = readLockHeader(sealed);
   if (!header) throw Error::inFile(in.string(), "is not a locked recording");
   PieceCipher cipher(key, *header);
   OutputFile file(out, OutputFile::Unfinished::remove, OutputFile::Access::owner_only);
@@ -190,7 +190,7 @@ void unlockFile(const std::filesystem::path& in, const std::filesystem::path& ou
 
 std::optional<std::string> lockedWith(const std::filesystem::path& file) {
   ByteFile bytes(file);
-  const auto header = headerOf(bytes);
+  const auto header = readLockHeader(bytes);
   return header ? std::optional(header->key_ref) : std::nullopt;
 }
 

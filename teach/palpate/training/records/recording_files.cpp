@@ -62,7 +62,7 @@ std::string RecordingFiles::keyOf(const Uuid& trainee) {
   if (!row) throw Error(fmt::format("trainee {} is not kept yet", trainee));
   if (!row->key_ref.empty() && vault_.find(row->key_ref)) return row->key_ref;
   row->key_ref = vault_.make();
-  store_.keep(*row);
+  store_.save(*row);
   return row->key_ref;
 }
 
@@ -81,8 +81,8 @@ bool RecordingFiles::lock(const Uuid& session) {
   row->file = nameFor(session) + std::string(kLockedExtension);
   row->file_sha256 = sha256OfFile(locked);
   const Row kept = *row;
-  store_.keep(std::span(&kept, 1));
-  for (const fs::path& file : filesOf(session)) {
+  store_.save(std::span(&kept, 1));
+  for (const fs::path& file : sessionFiles(session)) {
     if (file != locked) fs::remove(file);
   }
   return true;
@@ -123,7 +123,7 @@ OpenedRecording RecordingFiles::open(const SessionRow& session) const {
   return opened;
 }
 
-std::vector<fs::path> RecordingFiles::filesOf(const Uuid& session) const {
+std::vector<fs::path> RecordingFiles::sessionFiles(const Uuid& session) const {
   std::error_code error;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder(), error)) {

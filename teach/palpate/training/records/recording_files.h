@@ -65,7 +65,7 @@ class RecordingFiles {
   OpenedRecording open(const SessionRow& session) const;
 
   /// Whatever lies in the folder of this session: recorded, unfinished, locked, SQLite's own.
-  std::vector<std::filesystem::path> filesOf(const Uuid& session) const;
+  std::vector<std::filesystem::path> sessionFiles(const Uuid& session) const;
   std::filesystem::path folder() const { return store_.folder() / "sessions"; }
   KeyVault& vault() { return vault_; }
 

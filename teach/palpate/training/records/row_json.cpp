@@ -43,12 +43,12 @@ struct FieldsToJson {
 };
 
 template <class R>
-Json objectOf(const R& row) {
+Json toJsonObject(const R& row) {
   Json object = Json::object();
   eachField(FieldsToJson{object}, row);
   if constexpr (std::same_as<R, TrialRow>) {
     Json visits = Json::array();
-    for (const SiteVisit& visit : row.visits) visits.push_back(objectOf(visit));
+    for (const SiteVisit& visit : row.visits) visits.push_back(toJsonObject(visit));
     object["visits"] = std::move(visits);
   }
   return object;
@@ -184,7 +184,7 @@ std::string_view kindOf(const AnyRow& row) {
   return kKinds[row.index()];
 }
 
-std::string idOf(const AnyRow& row) {
+std::string rowId(const AnyRow& row) {
   if (const auto* protocol = std::get_if<ProtocolRow>(&row)) {
     return fmt::format("{}@{}", protocol->id, protocol->version);
   }
@@ -201,7 +201,7 @@ std::string idOf(const AnyRow& row) {
 }
 
 std::string rowJson(const AnyRow& row) {
-  const Json object = std::visit([](const auto& held) { return objectOf(held); }, row);
+  const Json object = std::visit([](const auto& held) { return toJsonObject(held); }, row);
   return jsonDump(object);
 }
 
@@ -210,7 +210,7 @@ std::string rowJson(const Row& row) { return rowJson(anyRow(row)); }
 AnyRow rowFromJson(std::string_view kind, std::string_view text) { return rowOfKind(kind, text); }
 
 Uuid outboxKey(const AnyRow& row) {
-  if (std::holds_alternative<TrialRow>(row) || std::holds_alternative<EventRow>(row)) return idOf(row);
+  if (std::holds_alternative<TrialRow>(row) || std::holds_alternative<EventRow>(row)) return rowId(row);
   return uuidOfText(fmt::format("{}\n{}", kindOf(row), rowJson(row)));
 }
 

@@ -31,7 +31,7 @@ AnyRow anyRow(const Row& row);
 /// The table's name: "station", "class", "trainee", "protocol", "session", "block", "trial", "event"; "delete".
 std::string_view kindOf(const AnyRow& row);
 /// The primary key; of a protocol "vhb@1", of a deletion the hash.
-std::string idOf(const AnyRow& row);
+std::string rowId(const AnyRow& row);
 
 /// In one line.
 std::string rowJson(const AnyRow& row);

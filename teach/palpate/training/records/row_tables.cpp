@@ -87,7 +87,7 @@ struct FieldsFromSql {
 };
 
 template <class R>
-std::vector<std::string> columnsOf(std::string_view table = {}) {
+std::vector<std::string> columnNames(std::string_view table = {}) {
   std::vector<std::string> names;
   const R row{};
   eachField(
@@ -129,7 +129,7 @@ constexpr bool kNeverChanges =
 
 template <class R>
 std::string insertStatement(RowTables::Update update) {
-  const std::vector<std::string> columns = columnsOf<R>();
+  const std::vector<std::string> columns = columnNames<R>();
   std::vector<std::string> places, sets;
   for (const std::string& column : columns) {
     places.push_back(fmt::format("${}", places.size() + 1));
@@ -146,7 +146,7 @@ std::string insertStatement(RowTables::Update update) {
 
 /// Made once.
 template <class R>
-const std::string& insertOf(RowTables::Update update) {
+const std::string& cachedInsertStatement(RowTables::Update update) {
   static const std::string always = insertStatement<R>(RowTables::Update::always);
   static const std::string newer = insertStatement<R>(RowTables::Update::when_newer);
   return update == RowTables::Update::always ? always : newer;
@@ -156,12 +156,12 @@ template <class R>
 bool insertRow(Sql& sql, const R& row, RowTables::Update update) {
   SqlValues values;
   eachField(FieldsToSql{values}, row);
-  return sql.change(insertOf<R>(update), values) > 0;
+  return sql.change(cachedInsertStatement<R>(update), values) > 0;
 }
 
 /// Inserts this many rows at once: over a network each statement costs a round trip.
 std::string visitsStatement(std::size_t rows) {
-  const auto columns = columnsOf<SiteVisit>();
+  const auto columns = columnNames<SiteVisit>();
   std::string text = fmt::format("INSERT INTO site_visit (trial_id, {}) VALUES ", fmt::join(columns, ", "));
   std::size_t place = 0;
   for (std::size_t row = 0; row < rows; ++row) {
@@ -183,7 +183,7 @@ void insertVisits(Sql& sql, const TrialRow& trial) {
 }
 
 template <class R>
-bool keepRow(Sql& sql, const R& row, RowTables::Update update) {
+bool storeRow(Sql& sql, const R& row, RowTables::Update update) {
   if constexpr (std::same_as<R, DeletionRow>) {
     throw Error("a deletion is not a row to keep");
   } else {
@@ -211,7 +211,7 @@ bool keepRow(Sql& sql, const R& row, RowTables::Update update) {
 
 /// Names the row that is missing where the database says "foreign key".
 std::string explained(const AnyRow& row, std::string_view cause) {
-  const std::string what = fmt::format("{} {}", kindOf(row), oneLine(idOf(row)));
+  const std::string what = fmt::format("{} {}", kindOf(row), oneLine(rowId(row)));
   const bool lacks =
       cause.find("FOREIGN KEY") != std::string_view::npos || cause.find("foreign key") != std::string_view::npos;
   if (!lacks) return fmt::format("{} cannot be kept: {}", what, cause);
@@ -232,9 +232,9 @@ std::string explained(const AnyRow& row, std::string_view cause) {
 
 }  // namespace
 
-bool RowTables::keep(const AnyRow& row, Update update) {
+bool RowTables::save(const AnyRow& row, Update update) {
   try {
-    return std::visit([&](const auto& held) { return keepRow(sql_, held, update); }, row);
+    return std::visit([&](const auto& held) { return storeRow(sql_, held, update); }, row);
   } catch (const DatabaseAway&) {
     throw;  // nothing is wrong with the row
   } catch (const Error& error) {
@@ -246,7 +246,8 @@ bool RowTables::keep(const AnyRow& row, Update update) {
 template <class R>
 std::vector<R> RowTables::read(const std::string& condition, const SqlValues& values) {
   const std::string table = tableOf<R>();
-  const std::string text = fmt::format("SELECT {} FROM {} {}", fmt::join(columnsOf<R>(table), ", "), table, condition);
+  const std::string text =
+      fmt::format("SELECT {} FROM {} {}", fmt::join(columnNames<R>(table), ", "), table, condition);
   std::vector<R> rows;
   for (const SqlValues& found : sql_.ask(text, values)) eachField(FieldsFromSql{found, table}, rows.emplace_back());
   return rows;
@@ -264,7 +265,7 @@ void RowTables::fillVisits(std::vector<TrialRow>& trials, const std::string& con
   for (TrialRow& trial : trials) by_id[trial.id] = &trial;
   const std::string text =
       fmt::format("SELECT {}, site_visit.trial_id FROM site_visit JOIN trial ON trial.id = site_visit.trial_id {}",
-                  fmt::join(columnsOf<SiteVisit>("site_visit"), ", "), condition);
+                  fmt::join(columnNames<SiteVisit>("site_visit"), ", "), condition);
   for (const SqlValues& found : sql_.ask(text, values)) {
     const auto* id = found.empty() ? nullptr : std::get_if<std::string>(&found.back());
     const auto trial = id == nullptr ? by_id.end() : by_id.find(*id);

@@ -1,6 +1,6 @@
 // Rows in and out of a database, whichever it is. Transactions are the caller's (Store, ClassStore).
 //
-//   AnyRow ─ keep ─► tables ─ trainees, sessions, blocks, trials ─► reports, exports
+//   AnyRow ─ save ─► tables ─ trainees, sessions, blocks, trials ─► reports, exports
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ class RowTables {
   };
   /// Checks it first (row_check.h). True: the tables changed. Throws Error, also where the row that it belongs to is
   /// missing. Deletions are not kept.
-  bool keep(const AnyRow& row, Update update = Update::always);
+  bool save(const AnyRow& row, Update update = Update::always);
 
   // In the order of their times.
   std::vector<StationRow> stations();

@@ -80,7 +80,7 @@ struct BlockRow {
   Verdict verdict = Verdict::none;
 
   /// Copies the block's current state and result.
-  void keepStateOf(const Block& block) {
+  void copyStateFrom(const Block& block) {
     const BlockResult so_far = block.result();
     state_json = block.state();
     finished = block.finished();

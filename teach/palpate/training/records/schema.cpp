@@ -66,7 +66,7 @@ std::string tableDdl(const TableInfo& table, Dialect dialect, int version) {
 }
 
 template <class Value>
-ColumnType columnTypeOf(const FieldRule& rule) {
+ColumnType columnType(const FieldRule& rule) {
   if (rule.form == FieldRule::Form::uuid) return uuid;
   if constexpr (std::is_same_v<Value, std::string> || std::is_enum_v<Value>) return text;
   if constexpr (std::is_same_v<Value, bool>) return yes_no;
@@ -76,14 +76,14 @@ ColumnType columnTypeOf(const FieldRule& rule) {
 
 /// Behind those that the row does not hold itself.
 template <class R>
-std::vector<ColumnInfo> columnInfosOf(std::vector<ColumnInfo> columns = {}) {
+std::vector<ColumnInfo> describeColumns(std::vector<ColumnInfo> columns = {}) {
   const R row{};
   eachField(
       [&]<class Value>(std::string_view name, const Value& /*value*/, const FieldRule& rule) {
         // A reference that may be empty is null when empty.
         const bool may_be_null = std::is_same_v<Value, std::optional<double>> ||
                                  (rule.may_be_empty && rule.form != FieldRule::Form::text && name.ends_with("_id"));
-        columns.push_back({name, columnTypeOf<Value>(rule), rule.means, rule.sql, may_be_null, rule.since});
+        columns.push_back({name, columnType<Value>(rule), rule.means, rule.sql, may_be_null, rule.since});
       },
       row);
   return columns;
@@ -98,10 +98,11 @@ std::vector<TableInfo> peopleTables() {
       {"setting",
        "what the program keeps about this database",
        {{"name", text, "which", "PRIMARY KEY"}, {"value", text, "what"}}},
-      {"station", "a place with a device where trainees sit", columnInfosOf<StationRow>()},
-      {"class", "a class, and how long its data are kept", columnInfosOf<ClassRow>()},
-      {"trainee", "a trainee under a pseudonym: no name, no mail address, no birth date", columnInfosOf<TraineeRow>()},
-      {"protocol", "what was trained or tested, in full", columnInfosOf<ProtocolRow>(), "PRIMARY KEY (id, version)"},
+      {"station", "a place with a device where trainees sit", describeColumns<StationRow>()},
+      {"class", "a class, and how long its data are kept", describeColumns<ClassRow>()},
+      {"trainee", "a trainee under a pseudonym: no name, no mail address, no birth date",
+       describeColumns<TraineeRow>()},
+      {"protocol", "what was trained or tested, in full", describeColumns<ProtocolRow>(), "PRIMARY KEY (id, version)"},
   };
 }
 
@@ -109,19 +110,23 @@ std::vector<TableInfo> sessionTables() {
   return {
       {"session",
        "one session of one trainee",
-       columnInfosOf<SessionRow>(),
+       describeColumns<SessionRow>(),
        "",
        {"trainee_id, start_ms", "station_id"}},
       {"block",
        "trials of one method, one after another",
-       columnInfosOf<BlockRow>(),
+       describeColumns<BlockRow>(),
        "FOREIGN KEY (protocol_id, protocol_version) REFERENCES protocol (id, version)",
        {"session_id, number"}},
-      {"trial", "one question and its answer", columnInfosOf<TrialRow>(), "UNIQUE (block_id, number)", {"session_id"}},
+      {"trial",
+       "one question and its answer",
+       describeColumns<TrialRow>(),
+       "UNIQUE (block_id, number)",
+       {"session_id"}},
       {"site_visit", "what was felt of one site in one trial",
-       columnInfosOf<SiteVisit>({{"trial_id", uuid, "in which trial", "REFERENCES trial (id) ON DELETE CASCADE"}}),
+       describeColumns<SiteVisit>({{"trial_id", uuid, "in which trial", "REFERENCES trial (id) ON DELETE CASCADE"}}),
        "PRIMARY KEY (trial_id, site)"},
-      {"event", "what else happened in a session", columnInfosOf<EventRow>(), "", {"session_id, at_ms"}},
+      {"event", "what else happened in a session", describeColumns<EventRow>(), "", {"session_id, at_ms"}},
   };
 }
 
@@ -197,7 +202,7 @@ std::string migration(Dialect dialect, int to) {
   return text;
 }
 
-int schemaVersionOf(Sql& sql) {
+int readSchemaVersion(Sql& sql) {
   const std::string_view asked =
       sql.dialect() == Dialect::sqlite
           ? "SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = 'schema_version'"
@@ -224,13 +229,13 @@ void bringForward(Sql& sql, std::string_view what) {
     throw Error::inFile(
         what, fmt::format("was written by a newer palpate (schema {}; this one knows {})", version, kSchemaVersion));
   };
-  const int before = schemaVersionOf(sql);
+  const int before = readSchemaVersion(sql);
   refuse_newer(before);
   if (before == kSchemaVersion) return;
   SqlTransaction transaction(sql);
   // Another program may have done it meanwhile, or is at it.
   if (sql.dialect() == Dialect::postgresql) sql.ask("SELECT pg_advisory_xact_lock(1348561746)");  // "PalR"
-  const int version = schemaVersionOf(sql);
+  const int version = readSchemaVersion(sql);
   refuse_newer(version);
   const std::int64_t now = utcMs();
   if (version == 0) sql.run(ddl(sql.dialect()) + noteVersion(kSchemaVersion, now));
@@ -241,7 +246,7 @@ void bringForward(Sql& sql, std::string_view what) {
 }
 
 std::string schemaPage() {
-  constexpr auto kWords = [](ColumnType type) -> std::string_view {
+  constexpr auto kTypeName = [](ColumnType type) -> std::string_view {
     switch (type) {
       case uuid:
         return "UUID";
@@ -263,7 +268,7 @@ std::string schemaPage() {
     page += fmt::format("### {}\n\n{}{}.\n\n| column | type | what it means | since |\n|---|---|---|---|\n", table.name,
                         static_cast<char>(table.means.front() - 'a' + 'A'), table.means.substr(1));
     for (const ColumnInfo& column : table.columns) {
-      page += fmt::format("| `{}` | {}{} | {} | {} |\n", column.name, kWords(column.type),
+      page += fmt::format("| `{}` | {}{} | {} | {} |\n", column.name, kTypeName(column.type),
                           column.may_be_null ? " or null" : "", column.means, column.since);
     }
     if (!table.rules.empty()) page += fmt::format("\n`{}`\n", table.rules);

@@ -64,7 +64,7 @@ std::string migration(Dialect dialect, int to);
 /// schema newer than ours.
 void bringForward(Sql& sql, std::string_view what);
 /// 0: the tables are missing.
-int schemaVersionOf(Sql& sql);
+int readSchemaVersion(Sql& sql);
 
 /// The tables as Markdown: `palpate train results export --columns`.
 std::string schemaPage();

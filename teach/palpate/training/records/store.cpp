@@ -64,7 +64,7 @@ bool isOfNewerSchema(SqliteSql& sql) {
   const auto found = sql.ask("SELECT sql FROM sqlite_schema WHERE name = 'schema_version'");
   if (found.size() != 1) return false;
   const auto* text = std::get_if<std::string>(&found.front().front());
-  return text != nullptr && trace::isKnown(schemaOfRecords(), *text) && schemaVersionOf(sql) > kSchemaVersion;
+  return text != nullptr && trace::isKnown(schemaOfRecords(), *text) && readSchemaVersion(sql) > kSchemaVersion;
 }
 
 std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how) {
@@ -94,14 +94,14 @@ std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how) 
 void settle(SqliteSql& sql, const fs::path& file, Store::Open how) {
   sql.run("PRAGMA foreign_keys = ON");
   if (how == Store::Open::read_only) {
-    const int version = schemaVersionOf(sql);
+    const int version = readSchemaVersion(sql);
     if (version == kSchemaVersion) return;
     throw Error::inFile(file.string(),
                         version > kSchemaVersion
                             ? "was written by a newer palpate"
                             : "was written by an older palpate; `palpate train results list` brings it forward");
   }
-  // Rows are on the disk when `keep` returns: every commit waits for it. Deleted data is overwritten.
+  // Rows are on the disk when `save` returns: every commit waits for it. Deleted data is overwritten.
   sql.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
   bringForward(sql, file.string());
 }
@@ -128,18 +128,18 @@ struct Store::Impl {
     const std::string body = rowJson(row);
     // A waiting older version is replaced in place: rows that refer to it come after it.
     if (sql->change("UPDATE outbox SET row_id = $1, body = $2, refused = '' WHERE subject = $3 AND kind = $4",
-                    {key, body, idOf(row), kind}) == 0) {
+                    {key, body, rowId(row), kind}) == 0) {
       sql->change("INSERT INTO outbox (kind, subject, row_id, body) VALUES ($1, $2, $3, $4)",
-                  {kind, idOf(row), key, body});
+                  {kind, rowId(row), key, body});
     }
   }
-  void keep(const AnyRow& row) {
-    rows.keep(row);
+  void save(const AnyRow& row) {
+    rows.save(row);
     if (outbox) queue(row);
   }
-  void keepAlone(const AnyRow& row) {
+  void storeAlone(const AnyRow& row) {
     SqlTransaction transaction(*sql);
-    keep(row);
+    save(row);
     transaction.commit();
   }
 };
@@ -155,22 +155,22 @@ Store Store::inMemory(const std::string& called) {
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 
-void Store::keep(const StationRow& row) { impl_->keepAlone(row); }
-void Store::keep(const ClassRow& row) { impl_->keepAlone(row); }
-void Store::keep(const TraineeRow& row) { impl_->keepAlone(row); }
-void Store::keep(const ProtocolRow& row) { impl_->keepAlone(row); }
+void Store::save(const StationRow& row) { impl_->storeAlone(row); }
+void Store::save(const ClassRow& row) { impl_->storeAlone(row); }
+void Store::save(const TraineeRow& row) { impl_->storeAlone(row); }
+void Store::save(const ProtocolRow& row) { impl_->storeAlone(row); }
 
-void Store::keep(std::span<const Row> rows) {
+void Store::save(std::span<const Row> rows) {
   if (rows.empty()) return;
   SqlTransaction transaction(*impl_->sql);
-  for (const Row& row : rows) impl_->keep(anyRow(row));
+  for (const Row& row : rows) impl_->save(anyRow(row));
   transaction.commit();
 }
 
-void Store::keepAny(std::span<const AnyRow> rows) {
+void Store::storeAnyRows(std::span<const AnyRow> rows) {
   if (rows.empty()) return;
   SqlTransaction transaction(*impl_->sql);
-  for (const AnyRow& row : rows) impl_->keep(row);
+  for (const AnyRow& row : rows) impl_->save(row);
   transaction.commit();
 }
 
@@ -272,16 +272,16 @@ void Store::rememberTraineeKey(const std::string& class_id, const std::string& k
       {kTraineeKeySetting + class_id, key});
 }
 
-std::vector<Uuid> Store::pseudonymsOf(std::string_view code) {
+std::vector<Uuid> Store::derivePseudonyms(std::string_view code) {
   std::vector<std::string> classes = {""};
   for (const ClassRow& row : this->classes()) classes.push_back(row.id);
   std::vector<Uuid> ids;
   for (const std::string& class_id : classes) {
     for (const SqlValues& row :
          impl_->sql->ask("SELECT value FROM setting WHERE name = $1", {kTraineeKeySetting + class_id})) {
-      ids.push_back(pseudonymOf(class_id, code, std::get<std::string>(row[0])));
+      ids.push_back(derivePseudonym(class_id, code, std::get<std::string>(row[0])));
     }
-    ids.push_back(pseudonymOf(class_id, code));
+    ids.push_back(derivePseudonym(class_id, code));
   }
   return ids;
 }

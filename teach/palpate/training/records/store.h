@@ -1,7 +1,7 @@
 // The record of a station: an SQLite file that holds every trainee, session, block and trial, and the outbox of rows
-// that a class has not acknowledged yet. Rows are on the disk once `keep` returns.
+// that a class has not acknowledged yet. Rows are on the disk once `save` returns.
 //
-//   Session::takeRows ─ keep ─► NAME.results ─► reports, exports, outbox ─► class (room `classroom`)
+//   Session::drainRows ─ save ─► NAME.results ─► reports, exports, outbox ─► class (room `classroom`)
 //
 // STRICT tables, WAL, synchronous FULL, foreign keys. One thread at a time; any number of processes.
 #pragma once
@@ -38,12 +38,12 @@ class Store {
   Store(Store&&) noexcept;
 
   // Each is one transaction, durable on return. Existing rows are updated (by id). Throws Error.
-  void keep(const StationRow& row);
-  void keep(const ClassRow& row);
-  void keep(const TraineeRow& row);
-  void keep(const ProtocolRow& row);
-  void keep(std::span<const Row> rows);
-  void keepAny(std::span<const AnyRow> rows);
+  void save(const StationRow& row);
+  void save(const ClassRow& row);
+  void save(const TraineeRow& row);
+  void save(const ProtocolRow& row);
+  void save(std::span<const Row> rows);
+  void storeAnyRows(std::span<const AnyRow> rows);
 
   // Reading; in the order of their times.
   std::vector<StationRow> stations();
@@ -62,7 +62,7 @@ class Store {
   /// The newest finished block that measured a threshold (tests, examination, retention).
   std::optional<BlockRow> lastMeasured(const Uuid& trainee);
 
-  // The outbox: filled by `keep` once a class is joined. A row that waits is replaced in its place by a newer version.
+  // The outbox: filled by `save` once a class is joined. A row that waits is replaced in its place by a newer version.
   /// Remembered in the file. When it is switched on, whatever is there already goes into it.
   void fillOutbox(bool on);
   bool fillsOutbox() const;
@@ -83,7 +83,7 @@ class Store {
   /// found.
   void rememberTraineeKey(const std::string& class_id, const std::string& key);
   /// Every pseudonym that a code may have here: per class, with its secret and, as older ones are, without.
-  std::vector<Uuid> pseudonymsOf(std::string_view code);
+  std::vector<Uuid> derivePseudonyms(std::string_view code);
 
   /// Remembered in the file: rows of other computers, of a class; the recordings that they name lie there.
   void holdCopies();

@@ -75,7 +75,7 @@ Uuid uuidOfDigest(const std::array<std::uint8_t, 32>& digest) {
 
 }  // namespace
 
-std::string codeOf(std::uint64_t random_bits) {
+std::string makeTraineeCode(std::uint64_t random_bits) {
   CodeSymbols symbols{};
   for (unsigned& symbol : symbols) {
     symbol = static_cast<unsigned>(random_bits & 31u);
@@ -100,16 +100,16 @@ std::optional<std::string> codeTyped(std::string_view typed) {
   return writtenCode(code);
 }
 
-Uuid pseudonymOf(std::string_view class_id, std::string_view code, std::string_view key) {
+Uuid derivePseudonym(std::string_view class_id, std::string_view code, std::string_view key) {
   // Spelt as on the card, however it was typed.
   const std::string written = codeTyped(code).value_or(std::string(code));
   const std::string text = "palpate trainee\n" + std::string(class_id) + '\n' + written;
-  return uuidOfDigest(key.empty() ? sha256Of(text) : hmacSha256Of(key, text));
+  return uuidOfDigest(key.empty() ? computeSha256(text) : computeHmacSha256(key, text));
 }
 
-Uuid uuidOfText(std::string_view text) { return uuidOfDigest(sha256Of(text)); }
+Uuid uuidOfText(std::string_view text) { return uuidOfDigest(computeSha256(text)); }
 
-Uuid uuidOf(std::int64_t unix_ms, const std::array<std::uint64_t, 2>& random) {
+Uuid makeUuidV7(std::int64_t unix_ms, const std::array<std::uint64_t, 2>& random) {
   std::array<std::uint8_t, 16> bytes{};
   const auto time = static_cast<std::uint64_t>(unix_ms);
   for (std::size_t i = 0; i < 6; ++i) bytes[i] = static_cast<std::uint8_t>(time >> (40 - 8 * i));

@@ -108,7 +108,7 @@ class RecordsCheck {
     const std::filesystem::path file = files_.pathOf(session.file);
     std::error_code error;
     if (session.file_sha256.empty()) {
-      if (files_.filesOf(session.id).empty()) fault("the recording of session {} is missing", session.id);
+      if (files_.sessionFiles(session.id).empty()) fault("the recording of session {} is missing", session.id);
       note("the recording of session {} is not locked yet", session.id);
       return;
     }
@@ -164,7 +164,7 @@ class RecordsCheck {
       same = lumps::parseLumpTrial(trials[i].lumps) == done[i] && trials[i].correct == lumps::isRight(done[i], task);
     }
     if (!same) fault("block {}: its bodies are not those of its trials", block.id);
-    const lumps::LumpCounts counts = lumps::countsOf(state.trials, task);
+    const lumps::LumpCounts counts = lumps::countLumps(state.trials, task);
     if (counts.bodies == block.trials && std::abs(counts.threshold.median - block.threshold) <= kSameResult) {
       ++found_.recomputed;
     } else {
@@ -217,7 +217,7 @@ std::optional<lumps::LumpCounts> recomputedLumps(RowTables& rows, const BlockRow
     const auto protocol = protocolOfRow(row);
     if (!protocol || !protocol->lump) return std::nullopt;
     try {
-      return lumps::countsOf(lumps::parseLumpState(block.state_json).trials, *protocol->lump);
+      return lumps::countLumps(lumps::parseLumpState(block.state_json).trials, *protocol->lump);
     } catch (const Error&) {
       return std::nullopt;
     }

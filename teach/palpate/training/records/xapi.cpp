@@ -35,7 +35,7 @@ class XapiStatements {
 
   std::string text() {
     for (const TraineeRow& trainee : rows_.trainees()) {
-      for (const SessionRow& session : rows_.sessions(trainee.id)) tell(session);
+      for (const SessionRow& session : rows_.sessions(trainee.id)) addStatements(session);
     }
     Json list = Json::array();
     for (const auto& [when, statement] : statements_) list.push_back(statement);
@@ -73,19 +73,19 @@ class XapiStatements {
     return statements_.emplace(at_ms, statement)->second;
   }
 
-  void tell(const SessionRow& session) {
+  void addStatements(const SessionRow& session) {
     add(session, "initialized", session.id, session.start_ms, sessionActivity(session));
     for (const BlockRow& block : rows_.blocks(session.id)) {
       std::int64_t end = session.start_ms;
       for (const TrialRow& trial : rows_.trials(block.id)) {
-        tell(session, trial);
+        addStatements(session, trial);
         end = std::max(end, trial.end_ms);
       }
-      if (block.finished) tell(session, block, end);
+      if (block.finished) addStatements(session, block, end);
     }
   }
 
-  void tell(const SessionRow& session, const TrialRow& trial) {
+  void addStatements(const SessionRow& session, const TrialRow& trial) {
     Json object = activity("trial", trial.id, fmt::format("Trial {}", trial.number), "cmi.interaction");
     object["definition"]["interactionType"] = "numeric";
     Json& statement = add(session, "answered", trial.id, trial.end_ms, std::move(object));
@@ -101,7 +101,7 @@ class XapiStatements {
                              {extension("counts"), trial.excluded.empty() && trial.kind != TrialKind::warm_up}}}};
   }
 
-  void tell(const SessionRow& session, const BlockRow& block, std::int64_t end_ms) {
+  void addStatements(const SessionRow& session, const BlockRow& block, std::int64_t end_ms) {
     const Json object = activity("block", block.id, fmt::format("Block {}", block.number), "assessment");
     Json result = {{"completion", true}, {"extensions", {{extension("trials"), block.trials}}}};
     Json& more = result["extensions"];
@@ -118,12 +118,12 @@ class XapiStatements {
     if (block.verdict != Verdict::pass && block.verdict != Verdict::not_yet) return;
     const bool passed = block.verdict == Verdict::pass;
     result["success"] = passed;
-    result["score"] = {{"scaled", scoreOf(session, block).value_or(passed ? 1.0 : 0.0)}};
+    result["score"] = {{"scaled", computeScore(session, block).value_or(passed ? 1.0 : 0.0)}};
     add(session, passed ? "passed" : "failed", block.id, end_ms, object)["result"] = result;
   }
 
   /// 0 to 1; of an examination with lumps the share that was found.
-  std::optional<double> scoreOf(const SessionRow& session, const BlockRow& block) {
+  std::optional<double> computeScore(const SessionRow& session, const BlockRow& block) {
     if (session.kind == SessionKind::lump_exam) {
       const auto counts = recomputedLumps(rows_, block);
       if (!counts || counts->lumps == 0) return std::nullopt;

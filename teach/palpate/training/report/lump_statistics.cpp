@@ -14,7 +14,7 @@ namespace {
 constexpr double kTwoSided = 1.959964;
 
 /// Bisects, since a report needs only a few.
-double normalQuantileOf(double share) {
+double bisectNormalQuantile(double share) {
   double low = -8.0;
   double high = 8.0;
   while (high - low > 1e-12) {
@@ -33,7 +33,7 @@ struct Scaled {
 Scaled scaled(const LumpRate& rate) {
   const double n = rate.whole + 1.0;
   const double share = (rate.part + 0.5) / n;
-  const double z = normalQuantileOf(share);
+  const double z = bisectNormalQuantile(share);
   const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
   return {z, share * (1.0 - share) / (n * density * density)};
 }
@@ -75,7 +75,7 @@ DPrime dPrime(const LumpRate& hits, const LumpRate& false_alarms) {
 
 LumpStatistics lumpStatistics(const std::vector<lumps::LumpTrial>& trials, const lumps::LumpTask& task) {
   LumpStatistics statistics;
-  statistics.counts = lumps::countsOf(trials, task);
+  statistics.counts = lumps::countLumps(trials, task);
   const lumps::LumpCounts& counts = statistics.counts;
   statistics.found = {counts.found, counts.lumps};
   statistics.known_with = {counts.said_with, counts.with};
@@ -86,22 +86,22 @@ LumpStatistics lumpStatistics(const std::vector<lumps::LumpTrial>& trials, const
   std::vector<double> errors;
   for (const lumps::LumpTrial& trial : trials) {
     if (!trial.over) continue;
-    const std::vector<lumps::JudgedFinding> judged = lumps::judged(trial, task);
+    const std::vector<lumps::MatchedFinding> judged = lumps::judged(trial, task);
     for (std::size_t i = 0; i < trial.hidden.size(); ++i) {
-      const auto own = std::ranges::find(judged, std::optional(i), &lumps::JudgedFinding::lump);
+      const auto own = std::ranges::find(judged, std::optional(i), &lumps::MatchedFinding::lump);
       const bool found = own != judged.end();
       const auto number = static_cast<std::size_t>(own - judged.begin());
       countLump(statistics, trial.hidden[i], found ? &trial.findings[number] : nullptr);
       if (found) errors.push_back(*own->error_mm);
     }
   }
-  if (!errors.empty()) statistics.error_mm = spreadOf(errors);
+  if (!errors.empty()) statistics.error_mm = computeSpread(errors);
   return statistics;
 }
 
 namespace {
 
-std::vector<lumps::LumpTrial> bodiesOf(const BlockRecord& block) {
+std::vector<lumps::LumpTrial> parseBodies(const BlockRecord& block) {
   std::vector<lumps::LumpTrial> bodies;
   for (const TrialRow& trial : block.trials) {
     try {
@@ -113,8 +113,8 @@ std::vector<lumps::LumpTrial> bodiesOf(const BlockRecord& block) {
   return bodies;
 }
 
-LumpGroup& groupOf(std::vector<LumpGroup>& groups, SessionKind kind, const BlockRow& block,
-                   const lumps::LumpTask& task) {
+LumpGroup& findOrAddGroup(std::vector<LumpGroup>& groups, SessionKind kind, const BlockRow& block,
+                          const lumps::LumpTask& task) {
   for (LumpGroup& group : groups) {
     if (group.kind == kind && group.protocol_id == block.protocol_id &&
         group.protocol_version == block.protocol_version) {
@@ -131,16 +131,16 @@ LumpGroup& groupOf(std::vector<LumpGroup>& groups, SessionKind kind, const Block
 
 void addSitting(std::vector<LumpGroup>& groups, const TrainingRecord& record, const SessionRecord& session,
                 const BlockRecord& block) {
-  const Protocol* protocol = protocolOf(record, block.row.protocol_id, block.row.protocol_version);
+  const Protocol* protocol = findProtocol(record, block.row.protocol_id, block.row.protocol_version);
   if (block.trials.empty() || protocol == nullptr || !protocol->lump) return;
-  LumpGroup& group = groupOf(groups, session.row.kind, block.row, *protocol->lump);
-  LumpSitting& sitting = group.sittings.emplace_back();
+  LumpGroup& group = findOrAddGroup(groups, session.row.kind, block.row, *protocol->lump);
+  LumpSessionResult& sitting = group.sittings.emplace_back();
   sitting.trainee = session.row.trainee_id;
   sitting.block = block.row;
   sitting.kind = session.row.kind;
   sitting.start_ms = block.trials.front().start_ms;
   sitting.device = session.row.device;
-  sitting.trials = bodiesOf(block);
+  sitting.trials = parseBodies(block);
   sitting.statistics = lumpStatistics(sitting.trials, group.task);
 }
 
@@ -159,9 +159,9 @@ std::vector<LumpGroup> lumpGroups(const TrainingRecord& record) {
   });
   for (LumpGroup& group : groups) {
     std::ranges::sort(group.sittings, {},
-                      [](const LumpSitting& each) { return std::tuple(each.start_ms, each.block.id); });
+                      [](const LumpSessionResult& each) { return std::tuple(each.start_ms, each.block.id); });
     std::vector<lumps::LumpTrial> all;
-    for (const LumpSitting& each : group.sittings) all.insert(all.end(), each.trials.begin(), each.trials.end());
+    for (const LumpSessionResult& each : group.sittings) all.insert(all.end(), each.trials.begin(), each.trials.end());
     group.all = lumpStatistics(all, group.task);
   }
   return groups;

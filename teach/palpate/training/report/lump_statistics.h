@@ -52,7 +52,7 @@ struct LumpStatistics {
 LumpStatistics lumpStatistics(const std::vector<lumps::LumpTrial>& trials, const lumps::LumpTask& task);
 
 /// One block of such a session.
-struct LumpSitting {
+struct LumpSessionResult {
   Uuid trainee;
   BlockRow block;
   SessionKind kind = SessionKind::lump;
@@ -67,7 +67,7 @@ struct LumpGroup {
   std::string protocol_id;
   int protocol_version = 1;
   lumps::LumpTask task;
-  std::vector<LumpSitting> sittings;  ///< oldest first
+  std::vector<LumpSessionResult> sittings;  ///< oldest first
   LumpStatistics all;
 };
 

@@ -23,9 +23,9 @@ struct BlockRules {
   Prior prior;
 };
 
-BlockRules rulesOf(const TrainingRecord& record, const BlockRow& block, SessionKind kind) {
+BlockRules findBlockRules(const TrainingRecord& record, const BlockRow& block, SessionKind kind) {
   static const Protocol built_in = builtInProtocol();
-  const Protocol* known = protocolOf(record, block.protocol_id, block.protocol_version);
+  const Protocol* known = findProtocol(record, block.protocol_id, block.protocol_version);
   const Protocol& protocol = known != nullptr ? *known : built_in;
   const SessionSettings& settings = settingsOf(protocol, kind);
   return {.choices = protocol.sites.empty() ? settings.block.choices : static_cast<int>(protocol.sites.size()),
@@ -45,8 +45,9 @@ std::vector<Answer> countedAnswers(const BlockRecord& block, int choices) {
 
 bool hasThreshold(Method method) { return method != Method::mastery; }
 
-ThresholdPoint pointOf(const TrainingRecord& record, const SessionRecord& session, const BlockRecord& block) {
-  const BlockRules rules = rulesOf(record, block.row, session.row.kind);
+ThresholdPoint makeThresholdPoint(const TrainingRecord& record, const SessionRecord& session,
+                                  const BlockRecord& block) {
+  const BlockRules rules = findBlockRules(record, block.row, session.row.kind);
   ThresholdPoint point{.block = block.row.id,
                        .kind = session.row.kind,
                        .start_ms = block.trials.front().start_ms,
@@ -69,7 +70,7 @@ ThresholdPoint pointOf(const TrainingRecord& record, const SessionRecord& sessio
   if (!hasThreshold(point.method) || point.answers.size() < static_cast<std::size_t>(kMinShownAnswers)) {
     return point;
   }
-  const Posterior posterior = posteriorOf(point);
+  const Posterior posterior = computePosterior(point);
   point.threshold = posterior.summary();
   const std::size_t slopes = posterior.slopes().size();
   const std::size_t lapses = posterior.lapses().size();
@@ -77,7 +78,7 @@ ThresholdPoint pointOf(const TrainingRecord& record, const SessionRecord& sessio
     point.slope += posterior.weights()[i] * posterior.slopes()[i / lapses % slopes];
     point.lapse += posterior.weights()[i] * posterior.lapses()[i % lapses];
   }
-  point.attention = attentionOf(point.answers, point.choices, point.threshold->median, point.slope);
+  point.attention = checkAttention(point.answers, point.choices, point.threshold->median, point.slope);
   return point;
 }
 
@@ -105,7 +106,8 @@ bool isTest(SessionKind kind) {
 }
 
 std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockRecord& block) {
-  const BlockRules rules = rulesOf(record, block.row, SessionKind::practice);  // places and dwell are a protocol's
+  const BlockRules rules =
+      findBlockRules(record, block.row, SessionKind::practice);  // places and dwell are a protocol's
   std::vector<ChosenTrial> chosen;
   for (const TrialRow& trial : block.trials) {
     chosen.push_back({.row = &trial, .choices = rules.choices, .felt_ms = rules.felt_ms});
@@ -118,7 +120,7 @@ std::vector<ThresholdPoint> thresholdPoints(const TrainingRecord& record, const 
   for (const SessionRecord& session : trainee.sessions) {
     if (session.row.kind == SessionKind::free || hidesLumps(session.row.kind)) continue;
     for (const BlockRecord& block : session.blocks) {
-      if (!block.trials.empty()) points.push_back(pointOf(record, session, block));
+      if (!block.trials.empty()) points.push_back(makeThresholdPoint(record, session, block));
     }
   }
   std::ranges::stable_sort(points, {}, &ThresholdPoint::start_ms);
@@ -127,7 +129,7 @@ std::vector<ThresholdPoint> thresholdPoints(const TrainingRecord& record, const 
   return points;
 }
 
-Posterior posteriorOf(const ThresholdPoint& point) {
+Posterior computePosterior(const ThresholdPoint& point) {
   Posterior posterior(point.choices, point.prior);
   for (const Answer& answer : point.answers) posterior.add(answer);
   return posterior;

@@ -59,7 +59,7 @@ TrainingRecord trainingRecord(Store& store, const TraineeRequest& wanted);
 /// Fills in `settings`; what this version cannot read stays out: the rows can still be counted.
 void readProtocols(TrainingRecord& record);
 /// Null if the record lacks the protocol.
-const Protocol* protocolOf(const TrainingRecord& record, const std::string& id, int version);
+const Protocol* findProtocol(const TrainingRecord& record, const std::string& id, int version);
 
 /// Fewer answers than this add little to the prior: no threshold is shown.
 inline constexpr int kMinShownAnswers = 10;
@@ -102,7 +102,7 @@ bool measuresThreshold(const ThresholdPoint& point);
 std::vector<ChosenTrial> chosenTrials(const TrainingRecord& record, const BlockRecord& block);
 
 /// The posterior of the answers, from a flat start.
-Posterior posteriorOf(const ThresholdPoint& point);
+Posterior computePosterior(const ThresholdPoint& point);
 
 /// Probability of a right answer by the posterior: its mean and the middle 95 % of it, change by change.
 struct FittedCurve {

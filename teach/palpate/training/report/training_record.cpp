@@ -45,7 +45,7 @@ void readProtocols(TrainingRecord& record) {
   }
 }
 
-const Protocol* protocolOf(const TrainingRecord& record, const std::string& id, int version) {
+const Protocol* findProtocol(const TrainingRecord& record, const std::string& id, int version) {
   const auto at = record.settings.find({id, version});
   return at == record.settings.end() ? nullptr : &at->second;
 }

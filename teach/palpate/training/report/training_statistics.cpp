@@ -26,7 +26,7 @@ struct TestsAndPractice {
   }
 };
 
-TestsAndPractice trialsOf(const TrainingRecord& record, const TraineeRecord& trainee) {
+TestsAndPractice collectTrials(const TrainingRecord& record, const TraineeRecord& trainee) {
   TestsAndPractice all;
   for (const SessionRecord& session : trainee.sessions) {
     if (hidesLumps(session.row.kind)) continue;  // hides lumps: see lump_statistics.h
@@ -45,7 +45,7 @@ bool sameHand(const ThresholdPoint& a, const ThresholdPoint& b) {
 }
 
 /// Blocks with a threshold, one after the other, felt with one hand on one device: places in the trainee's points.
-std::vector<std::vector<std::size_t>> coursesOf(const std::vector<ThresholdPoint>& points) {
+std::vector<std::vector<std::size_t>> groupByHand(const std::vector<ThresholdPoint>& points) {
   std::vector<std::vector<std::size_t>> courses;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!points[i].threshold) continue;
@@ -56,7 +56,7 @@ std::vector<std::vector<std::size_t>> coursesOf(const std::vector<ThresholdPoint
 }
 
 void addCurve(TraineeStatistics& trainee) {
-  for (const std::vector<std::size_t>& course : coursesOf(trainee.points)) {
+  for (const std::vector<std::size_t>& course : groupByHand(trainee.points)) {
     std::vector<SessionAnswers> sessions;
     for (const std::size_t i : course) sessions.push_back({trainee.points[i].answers});
     const ThresholdPoint& first = trainee.points[course.front()];
@@ -89,7 +89,7 @@ bool resultChanged(const ThresholdPoint& point) {
 TraineeStatistics traineeStatistics(const TrainingRecord& record, const TraineeRecord& trainee,
                                     TestsAndPractice& everybodys) {
   TraineeStatistics statistics{.id = trainee.row.id, .points = thresholdPoints(record, trainee)};
-  const TestsAndPractice trials = trialsOf(record, trainee);
+  const TestsAndPractice trials = collectTrials(record, trainee);
   statistics.tests = trialStatistics(trials.tests);
   statistics.practice = trialStatistics(trials.practice);
   everybodys.add(trials);
@@ -118,7 +118,7 @@ struct OccasionPoints {
   double places = 0.0;
 };
 
-std::vector<Occasion> occasionsOf(const std::vector<TraineeStatistics>& trainees) {
+std::vector<Occasion> groupOccasions(const std::vector<TraineeStatistics>& trainees) {
   std::map<OccasionKey, OccasionPoints> by_key;
   for (const TraineeStatistics& trainee : trainees) {
     for (std::size_t i = 0; i < trainee.points.size(); ++i) {
@@ -136,7 +136,7 @@ std::vector<Occasion> occasionsOf(const std::vector<TraineeStatistics>& trainees
       medians.push_back(point->threshold->median);
       if (point->verdict != Verdict::none) ++occasion.verdicts[std::string(wordFor(point->verdict))];
     }
-    occasion.medians = spreadOf(medians);
+    occasion.medians = computeSpread(medians);
     placed.emplace_back(found.places / static_cast<double>(found.points.size()), std::move(occasion));
   }
   std::ranges::stable_sort(placed, {}, [](const auto& each) { return each.first; });
@@ -148,7 +148,7 @@ std::vector<Occasion> occasionsOf(const std::vector<TraineeStatistics>& trainees
 /// Likelihoods of every block with a threshold; each is needed more than once.
 using Likelihoods = std::map<const ThresholdPoint*, ThresholdLikelihood>;
 
-Likelihoods likelihoodsOf(const std::vector<TraineeStatistics>& trainees) {
+Likelihoods computeLikelihoods(const std::vector<TraineeStatistics>& trainees) {
   Likelihoods all;
   for (const TraineeStatistics& trainee : trainees) {
     for (const ThresholdPoint& point : trainee.points) {
@@ -175,7 +175,7 @@ std::optional<ClassChange> classChange(const std::vector<TraineeStatistics>& tra
 }
 
 void addGroups(TrainingStatistics& statistics) {
-  const Likelihoods known = likelihoodsOf(statistics.trainees);
+  const Likelihoods known = computeLikelihoods(statistics.trainees);
   for (Occasion& occasion : statistics.all.occasions) {
     std::vector<ThresholdLikelihood> members;
     for (const auto& trainee : statistics.trainees) {
@@ -230,7 +230,7 @@ TrainingStatistics trainingStatistics(const TrainingRecord& record, const Statis
   }
   statistics.all.tests = trialStatistics(everybodys.tests);
   statistics.all.practice = trialStatistics(everybodys.practice);
-  statistics.all.occasions = occasionsOf(statistics.trainees);
+  statistics.all.occasions = groupOccasions(statistics.trainees);
   if (request.groups) addGroups(statistics);
   statistics.all.collapsed = collapsedAnswers(statistics.trainees);
   return statistics;

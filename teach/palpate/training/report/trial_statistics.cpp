@@ -37,7 +37,7 @@ std::vector<double> valuesWhere(Trials trials, const Passes& passes, const Value
   return values;
 }
 
-Histogram histogramOf(const std::vector<double>& values, double width, int boxes) {
+Histogram makeHistogram(const std::vector<double>& values, double width, int boxes) {
   Histogram histogram{.width = width, .counts = std::vector<int>(static_cast<std::size_t>(boxes), 0)};
   for (const double value : values) {
     const double box = std::clamp(std::floor(value / width), 0.0, static_cast<double>(boxes - 1));
@@ -50,16 +50,16 @@ double correctedForChance(double share, double chance) {
   return chance < 1.0 ? (share - chance) / (1.0 - chance) : 0.0;
 }
 
-double chanceOf(const TrialRow& trial) { return 1.0 / std::max(trial.sites_felt, 1); }
+double guessProbability(const TrialRow& trial) { return 1.0 / std::max(trial.sites_felt, 1); }
 
-std::vector<LevelAccuracy> levelsOf(Trials trials) {
+std::vector<LevelAccuracy> computeLevelAccuracies(Trials trials) {
   std::map<double, LevelAccuracy> levels;
   for (const ChosenTrial& trial : trials) {
     if (!countsForResults(*trial.row)) continue;
     LevelAccuracy& level = levels[trial.row->change];
     ++level.trials;
     level.correct += trial.row->correct ? 1 : 0;
-    level.chance += chanceOf(*trial.row);
+    level.chance += guessProbability(*trial.row);
   }
   std::vector<LevelAccuracy> all;
   for (auto& [change, level] : levels) {
@@ -106,7 +106,7 @@ std::vector<SiteFelt> feltSites(Trials trials) {
   return sites;
 }
 
-SiteAnswers answersOf(Trials trials) {
+SiteAnswers tallyAnswers(Trials trials) {
   SiteAnswers answers{.sites = mostSites(trials), .counts = {}};
   const auto columns = static_cast<std::size_t>(answers.sites) + 1;
   answers.counts.assign(static_cast<std::size_t>(answers.sites) * columns, 0);
@@ -120,7 +120,7 @@ SiteAnswers answersOf(Trials trials) {
   return answers;
 }
 
-WrongAnswers wrongOf(const SiteAnswers& answers) {
+WrongAnswers classifyWrongAnswers(const SiteAnswers& answers) {
   WrongAnswers wrong;
   for (int truth = 1; truth <= answers.sites; ++truth) {
     wrong.none += answers.at(truth, 0);
@@ -175,26 +175,27 @@ void measureTrials(Trials trials, TrialStatistics& statistics) {
   const std::vector<double> palpate =
       valuesWhere(trials, some(&TrialRow::palpate_force_n), member(&TrialRow::palpate_force_n));
   const std::vector<double> speed = valuesWhere(trials, touched, member(&TrialRow::mean_speed_mm_per_s));
-  statistics.seconds = spreadOf(seconds);
-  statistics.seconds_correct = spreadOf(valuesWhere(trials, counted_as(true), member(&TrialRow::seconds)));
-  statistics.seconds_wrong = spreadOf(valuesWhere(trials, counted_as(false), member(&TrialRow::seconds)));
-  statistics.places_felt = spreadOf(valuesWhere(trials, all, places));
-  statistics.mean_force_n = spreadOf(valuesWhere(trials, touched, member(&TrialRow::mean_force_n)));
-  statistics.peak_force_n = spreadOf(valuesWhere(trials, touched, member(&TrialRow::peak_force_n)));
-  statistics.speed_mm_per_s = spreadOf(speed);
-  statistics.search_force_n = spreadOf(search);
-  statistics.palpate_force_n = spreadOf(palpate);
-  statistics.seconds_bins = histogramOf(seconds, kSecondsBox, kSecondsBoxes);
-  statistics.search_force_bins = histogramOf(search, kForceBox, kForceBoxes);
-  statistics.palpate_force_bins = histogramOf(palpate, kForceBox, kForceBoxes);
-  statistics.speed_bins = histogramOf(speed, kSpeedBox, kSpeedBoxes);
+  statistics.seconds = computeSpread(seconds);
+  statistics.seconds_correct = computeSpread(valuesWhere(trials, counted_as(true), member(&TrialRow::seconds)));
+  statistics.seconds_wrong = computeSpread(valuesWhere(trials, counted_as(false), member(&TrialRow::seconds)));
+  statistics.places_felt = computeSpread(valuesWhere(trials, all, places));
+  statistics.mean_force_n = computeSpread(valuesWhere(trials, touched, member(&TrialRow::mean_force_n)));
+  statistics.peak_force_n = computeSpread(valuesWhere(trials, touched, member(&TrialRow::peak_force_n)));
+  statistics.speed_mm_per_s = computeSpread(speed);
+  statistics.search_force_n = computeSpread(search);
+  statistics.palpate_force_n = computeSpread(palpate);
+  statistics.seconds_bins = makeHistogram(seconds, kSecondsBox, kSecondsBoxes);
+  statistics.search_force_bins = makeHistogram(search, kForceBox, kForceBoxes);
+  statistics.palpate_force_bins = makeHistogram(palpate, kForceBox, kForceBoxes);
+  statistics.speed_bins = makeHistogram(speed, kSpeedBox, kSpeedBoxes);
 }
 
-std::vector<AnswerBox> boxesOf(Trials trials) {
+std::vector<AnswerBox> makeAnswerBoxes(Trials trials) {
   std::vector<PlacedAnswer> answers;
   for (const ChosenTrial& trial : trials) {
     if (!countsForResults(*trial.row)) continue;
-    answers.push_back({.place = trial.row->change, .correct = trial.row->correct, .chance = chanceOf(*trial.row)});
+    answers.push_back(
+        {.place = trial.row->change, .correct = trial.row->correct, .chance = guessProbability(*trial.row)});
   }
   return answerBoxes(answers, {});
 }
@@ -216,7 +217,7 @@ double sortedQuantile(std::span<const double> sorted, double share) {
   return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
-Spread spreadOf(std::vector<double> values) {
+Spread computeSpread(std::vector<double> values) {
   if (values.empty()) return {};
   std::ranges::sort(values);
   double sum = 0.0;
@@ -283,11 +284,11 @@ int SiteAnswers::of(int site_true) const {
 TrialStatistics trialStatistics(std::span<const ChosenTrial> trials) {
   TrialStatistics statistics;
   countTrials(trials, statistics);
-  statistics.levels = levelsOf(trials);
-  statistics.boxes = boxesOf(trials);
+  statistics.levels = computeLevelAccuracies(trials);
+  statistics.boxes = makeAnswerBoxes(trials);
   statistics.felt = feltSites(trials);
-  statistics.answers = answersOf(trials);
-  statistics.wrong = wrongOf(statistics.answers);
+  statistics.answers = tallyAnswers(trials);
+  statistics.wrong = classifyWrongAnswers(statistics.answers);
   measureTrials(trials, statistics);
   return statistics;
 }

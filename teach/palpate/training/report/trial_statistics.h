@@ -32,7 +32,7 @@ struct Spread {
   std::size_t count = 0;
   double mean = 0.0, least = 0.0, lower_quartile = 0.0, median = 0.0, upper_quartile = 0.0, greatest = 0.0;
 };
-Spread spreadOf(std::vector<double> values);
+Spread computeSpread(std::vector<double> values);
 /// Between neighbours on a straight line; `sorted` rises and is not empty.
 double sortedQuantile(std::span<const double> sorted, double share);
 

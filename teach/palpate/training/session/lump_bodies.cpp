@@ -128,7 +128,7 @@ std::shared_ptr<const scene::World> LumpBodies::with(std::span<const lumps::Hidd
   return hidden.empty() ? plain_ : scene::rebuilt(*plain_, lumpScene(plain_->scene, task_, hidden));
 }
 
-double LumpBodies::cueOf(const lumps::HiddenLump& lump) const {
+double LumpBodies::computeClarity(const lumps::HiddenLump& lump) const {
   // The lump alone: a whole world of it takes ten times as long.
   const scene::Scene scene = lumpScene(plain_->scene, task_, std::span(&lump, 1));
   std::vector<std::string> notes;
@@ -139,7 +139,7 @@ double LumpBodies::cueOf(const lumps::HiddenLump& lump) const {
   const SkinOver over = *skinOver(*plain_, lump.place_mm);
   const lumps::ComparedSkin::Press press = skin.press(over.point, over.normal, kCuePressN);
   const lumps::LumpObserver observer;
-  return lumps::clarityOf(skin.cue(press, observer.taxels), observer);
+  return lumps::computeClarity(skin.cue(press, observer.taxels), observer);
 }
 
 }  // namespace palpate::training

@@ -31,7 +31,7 @@ class LumpBodies {
   /// Any lump's world, and that without: felt with the same law and the same skin. Throws Error.
   std::shared_ptr<const scene::World> with(std::span<const lumps::HiddenLump> hidden) const;
   /// C of a press of 3 N right over it, as the observer of lumps/lump_observer.h has it.
-  double cueOf(const lumps::HiddenLump& lump) const;
+  double computeClarity(const lumps::HiddenLump& lump) const;
 
   const lumps::LumpTask& task() const { return task_; }
   /// Patterns of pressure on this body; the same for all its worlds.

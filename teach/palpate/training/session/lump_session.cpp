@@ -30,7 +30,7 @@ lumps::LumpBlockSettings blockSettings(const LumpSessionPlan& plan) {
   return {.task = plan.bodies->task(),
           .exam = plan.kind == SessionKind::lump_exam,
           .places = plan.bodies->places(),
-          .cue_of = [bodies = plan.bodies](const lumps::HiddenLump& lump) { return bodies->cueOf(lump); }};
+          .cue_of = [bodies = plan.bodies](const lumps::HiddenLump& lump) { return bodies->computeClarity(lump); }};
 }
 
 lumps::LumpBlock blockOf(const LumpSessionPlan& plan) {
@@ -72,7 +72,7 @@ struct LumpSession::Impl {
   Uuid newId(const Moment& now) {
     std::array<std::uint64_t, 2> chance{};
     for (std::uint64_t& part : chance) part = ids.bits();
-    return uuidOf(now.utc_ms, {chance[0], chance[1]});
+    return makeUuidV7(now.utc_ms, {chance[0], chance[1]});
   }
 
   void note(const char* kind, std::string text, const Moment& now) {
@@ -103,12 +103,12 @@ struct LumpSession::Impl {
       block_row.protocol_id = plan.protocol.id;
       block_row.protocol_version = plan.protocol.version;
     }
-    keepBlock();
+    recordBlock();
     say(lumpInstruction(exam()));
   }
 
   /// After every answer.
-  void keepBlock() {
+  void recordBlock() {
     const lumps::LumpCounts counts = block.counts();
     block_row.state_json = block.state();
     block_row.finished = block.finished();
@@ -120,7 +120,7 @@ struct LumpSession::Impl {
     rows.emplace_back(block_row);
   }
 
-  void keepTrial(const Moment& now) {
+  void recordTrial(const Moment& now) {
     const lumps::LumpTrial& body = block.trial();
     TrialRow row;
     row.id = newId(now);
@@ -148,18 +148,18 @@ struct LumpSession::Impl {
     ask();
   }
 
-  void ask() { say(lumpQuestionWords(block.question(), exam(), block.trial().findings.size())); }
+  void ask() { say(lumpQuestionText(block.question(), exam(), block.trial().findings.size())); }
 
   bool took(bool taken, const Moment& now) {
     if (!taken) return false;
     if (!block.trial().over) {
-      keepBlock();
+      recordBlock();
       ask();
       return true;
     }
-    keepTrial(now);
+    recordTrial(now);
     if (!exam()) {
-      keepBlock();
+      recordBlock();
       screen = LumpScreen::feedback;
       say(lumpFeedback(block.trial(), block.settings().task, plan.sites));
     } else {
@@ -171,7 +171,7 @@ struct LumpSession::Impl {
   /// Goes to the next body. An examination's answer is stored with it, so that the same body is never felt twice.
   void goOn(const Moment& now) {
     block.next();
-    keepBlock();
+    recordBlock();
     if (!block.finished()) return begin(now);
     screen = LumpScreen::summary;
     say(lumpSummary(block.counts(), exam()));
@@ -264,7 +264,7 @@ void LumpSession::pause(const Moment& now) {
   if (!impl_->asks()) return;
   impl_->paused_since = now;
   impl_->note("pause", std::string(wordFor(screen())), now);
-  impl_->say(pausedWords());
+  impl_->say(pausedNotice());
 }
 
 void LumpSession::goOn(const Moment& now) {
@@ -287,6 +287,6 @@ void LumpSession::leave(const Moment& now) {
 const LumpSessionPlan& LumpSession::plan() const { return impl_->plan; }
 const std::vector<TrialRow>& LumpSession::trials() const { return impl_->trials; }
 lumps::LumpCounts LumpSession::counts() const { return impl_->block.counts(); }
-std::vector<Row> LumpSession::takeRows() { return std::exchange(impl_->rows, {}); }
+std::vector<Row> LumpSession::drainRows() { return std::exchange(impl_->rows, {}); }
 
 }  // namespace palpate::training

@@ -4,7 +4,7 @@
 //   answers, places, samples ─► LumpSession ─► screen, question, words, what is hidden now (lump_bodies.h), rows to
 //   keep
 //
-// Knows no clock, no window, no file. Every answer is in the rows (`takeRows`) at once, so that an interrupted session
+// Knows no clock, no window, no file. Every answer is in the rows (`drainRows`) at once, so that an interrupted session
 // continues with the last question. One thread.
 #pragma once
 
@@ -79,7 +79,7 @@ class LumpSession {
   const LumpSessionPlan& plan() const;
   const std::vector<TrialRow>& trials() const;  ///< bodies finished in this session
   lumps::LumpCounts counts() const;             ///< over the whole block
-  std::vector<Row> takeRows();
+  std::vector<Row> drainRows();
 
  private:
   struct Impl;
@@ -89,7 +89,7 @@ class LumpSession {
 // Texts (lump_words.cpp).
 
 std::string lumpInstruction(bool exam);
-std::string lumpQuestionWords(lumps::LumpQuestion question, bool exam, std::size_t named);
+std::string lumpQuestionText(lumps::LumpQuestion question, bool exam, std::size_t named);
 /// The choices, in order: "no", "yes"; "small", "middle", "large"; ...
 std::vector<std::string> lumpChoices(lumps::LumpQuestion question);
 /// After a body of practice: right or not, where it lies, and of which kind it is.

@@ -17,13 +17,13 @@ const Site& nearestSite(const SiteSet& sites, const Vec2& place_mm) {
                                    [&](const Site& site) { return (site.place_mm - place_mm).squaredNorm(); });
 }
 
-std::string gradeWords(LumpQuestion question, int grade) {
+std::string gradeLabel(LumpQuestion question, int grade) {
   return lumpChoices(question)[static_cast<std::size_t>(grade)];
 }
 
 std::string kindOf(const lumps::HiddenLump& lump) {
-  return trf("{}, {}, {}, {}", gradeWords(LumpQuestion::size, lump.size), gradeWords(LumpQuestion::depth, lump.depth),
-             gradeWords(LumpQuestion::hardness, lump.hardness), gradeWords(LumpQuestion::mobile, lump.mobile ? 1 : 0));
+  return trf("{}, {}, {}, {}", gradeLabel(LumpQuestion::size, lump.size), gradeLabel(LumpQuestion::depth, lump.depth),
+             gradeLabel(LumpQuestion::hardness, lump.hardness), gradeLabel(LumpQuestion::mobile, lump.mobile ? 1 : 0));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ std::string lumpInstruction(bool exam) {
               : tr("Feel for a lump. There may be one, or none.");
 }
 
-std::string lumpQuestionWords(LumpQuestion question, bool exam, std::size_t named) {
+std::string lumpQuestionText(LumpQuestion question, bool exam, std::size_t named) {
   switch (question) {
     case LumpQuestion::there:
       return tr("Is there a lump?");

@@ -23,7 +23,7 @@ constexpr int kFamiliarSite = 4;
 constexpr int kFamiliarDraws = -1;
 constexpr double kSecondsAMinute = 60.0;
 
-std::uint64_t seedOf(const SessionPlan& plan) {
+std::uint64_t sessionSeed(const SessionPlan& plan) {
   Hash hash;
   hash.add(plan.seed);
   for (const char letter : plan.row.id) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(letter)));
@@ -49,7 +49,7 @@ std::uint64_t blockSeed(const SessionPlan& plan, int number) {
 
 }  // namespace
 
-ProtocolRow protocolRowOf(const Protocol& protocol) {
+ProtocolRow makeProtocolRow(const Protocol& protocol) {
   return {.id = protocol.id,
           .version = protocol.version,
           .text = protocolText(protocol),
@@ -84,7 +84,7 @@ struct Session::Impl {
   Impl(const SessionPlan& the_plan, const Moment& now)
       : plan(the_plan),
         settings(settingsOf(plan.protocol, plan.kind)),
-        ids(seedOf(plan)),
+        ids(sessionSeed(plan)),
         exploration(plan.sites, plan.protocol.exploration, plan.tick_s),
         watch(plan.tick_s),
         started(now),
@@ -96,16 +96,16 @@ struct Session::Impl {
   }
   Uuid newId(const Moment& now) {
     const std::uint64_t first = ids.bits();
-    return uuidOf(now.utc_ms, {first, ids.bits()});
+    return makeUuidV7(now.utc_ms, {first, ids.bits()});
   }
-  void keepEvent(std::string kind, std::string text, const Moment& now) {
+  void recordEvent(std::string kind, std::string text, const Moment& now) {
     rows.emplace_back(EventRow{.id = newId(now),
                                .session_id = plan.row.id,
                                .at_ms = now.utc_ms,
                                .kind = std::move(kind),
                                .text = std::move(text)});
   }
-  void keepSession(std::int64_t end_ms) {
+  void recordSession(std::int64_t end_ms) {
     plan.row.end_ms = end_ms;
     rows.emplace_back(plan.row);
   }
@@ -116,9 +116,9 @@ struct Session::Impl {
     plan.row.kind = plan.kind;
     plan.row.rng_seed = plan.seed;
     plan.row.start_ms = now.utc_ms;
-    keepSession(0);
-    if (!settings.natural_stiffness) keepEvent("tissue", fmt::format("{:g} N/mm", plan.protocol.base_n_per_mm), now);
-    if (plan.kind != SessionKind::free) takeBlock(now);
+    recordSession(0);
+    if (!settings.natural_stiffness) recordEvent("tissue", fmt::format("{:g} N/mm", plan.protocol.base_n_per_mm), now);
+    if (plan.kind != SessionKind::free) resumeOrBeginBlock(now);
     if (!plan.familiar) {
       screen = Screen::device_check;
       return say(deviceCheck(false));
@@ -126,12 +126,12 @@ struct Session::Impl {
     introduce(now);
   }
 
-  void takeBlock(const Moment& now) {
+  void resumeOrBeginBlock(const Moment& now) {
     if (plan.resumed) {
       block_row = *plan.resumed;
       block = Block::resumed(settings.block, block_row.state_json);
       plan.resumed.reset();
-      keepEvent("resume", fmt::format("block {}", block_row.number), now);
+      recordEvent("resume", fmt::format("block {}", block_row.number), now);
     } else {
       beginBlock(1, now);
     }
@@ -188,7 +188,7 @@ struct Session::Impl {
       showFamiliar(familiarAgain(site(familiar_stiffer)));
       return true;
     }
-    keepEvent("familiarisation", fmt::format("found at answer {}", familiar.round), now);
+    recordEvent("familiarisation", fmt::format("found at answer {}", familiar.round), now);
     introduce(now);
     return true;
   }
@@ -224,7 +224,7 @@ struct Session::Impl {
 
   // --- answers
 
-  TrialRow rowOf(const TrialOutcome& outcome, const Moment& now) {
+  TrialRow makeTrialRow(const TrialOutcome& outcome, const Moment& now) {
     const PlannedTrial& planned = block->next();
     TrialRow row{.id = newId(now),
                  .block_id = block_row.id,
@@ -248,23 +248,23 @@ struct Session::Impl {
     return row;
   }
 
-  void take(int answer, const Moment& now) {
+  void recordAnswer(int answer, const Moment& now) {
     const PlannedTrial planned = block->next();
     const TrialOutcome outcome{.answer = answer,
                                .correct = answer == planned.site,
                                .visited = exploration.visitedSites(),
                                .target_visited = exploration.visited(planned.site)};
-    trials.push_back(rowOf(outcome, now));
+    trials.push_back(makeTrialRow(outcome, now));
     rows.emplace_back(trials.back());
     if (settings.all_sites && outcome.visited < plan.sites.choices()) {
-      keepEvent("warning",
-                fmt::format("trial {}: {} sites not felt", planned.number, plan.sites.choices() - outcome.visited),
-                now);
+      recordEvent("warning",
+                  fmt::format("trial {}: {} sites not felt", planned.number, plan.sites.choices() - outcome.visited),
+                  now);
     }
     block->answer(outcome);
-    keepBlock();
+    recordBlock();
     const Site& truth = *plan.sites.numbered(planned.site);
-    tellAnswer(outcome, truth);
+    announceOutcome(outcome, truth);
     if (settings.feedback) {
       screen = Screen::feedback;
       answered = {.site = planned.site, .change = planned.change};
@@ -273,7 +273,7 @@ struct Session::Impl {
     }
   }
 
-  void tellAnswer(const TrialOutcome& outcome, const Site& truth) {
+  void announceOutcome(const TrialOutcome& outcome, const Site& truth) {
     if (outcome.answer == 0) return say(timeIsUp(settings.feedback, truth));
     if (!settings.feedback) return say(answerSaved());
     say(outcome.correct ? rightAnswer(truth) : wrongAnswer(truth));
@@ -290,11 +290,11 @@ struct Session::Impl {
     if (break_offered || after_s <= 0.0 || now.s - started.s < after_s) return;
     break_offered = true;
     say(said.text + " " + breakOffered());
-    keepEvent("break", "offered", now);
+    recordEvent("break", "offered", now);
   }
 
-  void keepBlock() {
-    block_row.keepStateOf(*block);
+  void recordBlock() {
+    block_row.copyStateFrom(*block);
     rows.emplace_back(block_row);
   }
 
@@ -302,7 +302,7 @@ struct Session::Impl {
     screen = Screen::block_summary;
     result = block->result();
     say(blockSummary(*result, plan.kind, plan.before));
-    keepEvent("block", fmt::format("{} finished", block_row.number), now);
+    recordEvent("block", fmt::format("{} finished", block_row.number), now);
   }
 
   bool measures() const { return !settings.feedback; }
@@ -317,7 +317,7 @@ struct Session::Impl {
   void finish(const Moment& now) {
     const bool unfinished = block && !block->finished();
     screen = Screen::finished;
-    keepSession(now.utc_ms);
+    recordSession(now.utc_ms);
     say(goodbye(unfinished));
   }
 };
@@ -428,22 +428,22 @@ bool Session::answer(int site, const Moment& now) {
     impl_->say(notPressedYet(missing));
     return false;
   }
-  impl_->take(site, now);
+  impl_->recordAnswer(site, now);
   return true;
 }
 
 void Session::pause(const Moment& now) {
   if (paused() || impl_->screen == Screen::finished) return;
   impl_->paused_since = now;
-  impl_->keepEvent("pause", std::string(wordFor(impl_->screen)), now);
-  impl_->say(pausedWords());
+  impl_->recordEvent("pause", std::string(wordFor(impl_->screen)), now);
+  impl_->say(pausedNotice());
 }
 
 void Session::goOn(const Moment& now) {
   if (!paused()) return;
   impl_->paused_s += now.s - impl_->paused_since->s;
   impl_->paused_since.reset();
-  impl_->keepEvent("resume", std::string(wordFor(impl_->screen)), now);
+  impl_->recordEvent("resume", std::string(wordFor(impl_->screen)), now);
   impl_->say(impl_->screen == Screen::trial ? instruction(impl_->plan.protocol, impl_->plan.kind) : "");
 }
 
@@ -451,14 +451,14 @@ bool Session::paused() const { return impl_->paused_since.has_value(); }
 
 void Session::tick(const Moment& now) {
   if (impl_->screen != Screen::trial || paused()) return;
-  if (secondsLeft(now) <= 0.0) impl_->take(0, now);
+  if (secondsLeft(now) <= 0.0) impl_->recordAnswer(0, now);
 }
 
-void Session::safety(const std::string& what, const Moment& now) { impl_->keepEvent("safety", what, now); }
+void Session::safety(const std::string& what, const Moment& now) { impl_->recordEvent("safety", what, now); }
 
 void Session::leave(const Moment& now) {
   if (impl_->screen == Screen::finished) return;
-  impl_->keepEvent("leave", std::string(wordFor(impl_->screen)), now);
+  impl_->recordEvent("leave", std::string(wordFor(impl_->screen)), now);
   impl_->paused_since.reset();
   impl_->finish(now);
 }
@@ -466,6 +466,6 @@ void Session::leave(const Moment& now) {
 const SessionPlan& Session::plan() const { return impl_->plan; }
 const std::vector<TrialRow>& Session::trials() const { return impl_->trials; }
 std::optional<BlockResult> Session::result() const { return impl_->result; }
-std::vector<Row> Session::takeRows() { return std::exchange(impl_->rows, {}); }
+std::vector<Row> Session::drainRows() { return std::exchange(impl_->rows, {}); }
 
 }  // namespace palpate::training

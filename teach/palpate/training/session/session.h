@@ -3,7 +3,7 @@
 //
 //   code, device, "next", answers, samples ─► Session ─► screen, words, hidden place now (trial_scene.h), rows to keep
 //
-// Knows no clock (every event carries its Moment), no window, no file. Returns rows to store (`takeRows`), in order; a
+// Knows no clock (every event carries its Moment), no window, no file. Returns rows to store (`drainRows`), in order; a
 // trial counts as stored when its rows are. One thread.
 #pragma once
 
@@ -72,7 +72,7 @@ struct Said {
 };
 
 /// The row to store before the first block, which names it.
-ProtocolRow protocolRowOf(const Protocol& protocol);
+ProtocolRow makeProtocolRow(const Protocol& protocol);
 
 class Session {
  public:
@@ -119,7 +119,7 @@ class Session {
   const SessionPlan& plan() const;
   const std::vector<TrialRow>& trials() const;  ///< trials of the block in this session
   std::optional<BlockResult> result() const;    ///< once a block is over
-  std::vector<Row> takeRows();
+  std::vector<Row> drainRows();
 
  private:
   struct Impl;

@@ -23,7 +23,7 @@ constexpr double kStartOverSkinMm = 60.0;
 /// Slope of the skin is taken over this to both sides, mm: the width of a fingertip, not of a facet.
 constexpr double kSlopeMm = 6.0;
 
-std::string utcWords(std::int64_t ms) {
+std::string formatIsoUtc(std::int64_t ms) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", fmt::gmtime(static_cast<std::time_t>(ms / 1000)));
 }
 
@@ -44,13 +44,13 @@ device::Device handDevice(const device::HandChoice& choice, const device::Simula
   device.capabilities.rate_hz = 1.0 / settings.tick_s;
   device.capabilities.delay_ticks = device::kHandDelayTicks;
   device.capabilities.kind = choice.device;
-  device.capabilities.model = deviceWords(choice);
+  device.capabilities.model = describeDevice(choice);
   return device;
 }
 
 }  // namespace
 
-std::string deviceWords(const device::HandChoice& hand) {
+std::string describeDevice(const device::HandChoice& hand) {
   return fmt::format("simulated {} on {}", wordFor(hand.hand), wordFor(hand.device));
 }
 
@@ -67,7 +67,7 @@ BodyTouch::BodyTouch(TrialWorlds worlds, const SiteSet& sites, const BodyTouchSe
   finger_.emplace(start, tick_s);
   servo::RigParts parts;
   parts.tick_s = tick_s;
-  parts.limiter = limitsOf(*world_);
+  parts.limiter = limiterSettingsFor(*world_);
   parts.fingers = engine::fingerSettings(world_->scene, 1);
   engine::checkFingers(*world_, parts.fingers);
   parts.solvers = servo::makeSolvers(world_->surface, world_->hdb, 1, world_->breath);
@@ -80,7 +80,7 @@ BodyTouch::~BodyTouch() = default;
 
 void BodyTouch::begin(const BodyTouchSettings& settings) {
   trace::RecordingHeader header = engine::recordingHeader(world_->scene.ticks_per_s);
-  header.started_utc = utcWords(settings.start_ms);
+  header.started_utc = formatIsoUtc(settings.start_ms);
   header.notes = settings.notes;
   header.tags = "training simulated";
   recording_.emplace(
@@ -89,7 +89,7 @@ void BodyTouch::begin(const BodyTouchSettings& settings) {
   recording_->add(engine::recordingWorld(*world_, engine::feltWith(rig_)));
 }
 
-servo::LimiterSettings BodyTouch::limitsOf(const scene::World& world) const {
+servo::LimiterSettings BodyTouch::limiterSettingsFor(const scene::World& world) const {
   return servo::limiterSettings(world, profile_);
 }
 
@@ -97,7 +97,7 @@ void BodyTouch::lay(std::shared_ptr<const scene::World> next) {
   servo::FingerChain& finger = rig_.fingers.front();
   servo::FingerSolvers solvers = servo::makeSolvers(next->surface, next->hdb, 1, next->breath);
   servo::exchange(finger.solver, solvers.front(), finger.contact);
-  finger.limiter_settings = limitsOf(*next);
+  finger.limiter_settings = limiterSettingsFor(*next);
   world_ = std::move(next);
   ++rig_.world;
   if (recording_) recording_->add(engine::recordingWorld(*world_, engine::feltWith(rig_)));
@@ -148,7 +148,7 @@ void BodyTouch::mark(const std::string& text) {
 }
 
 void BodyTouch::finish(std::int64_t end_ms) {
-  if (recording_) recording_->finish("done", utcWords(end_ms));
+  if (recording_) recording_->finish("done", formatIsoUtc(end_ms));
   recording_.reset();
 }
 

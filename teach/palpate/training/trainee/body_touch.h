@@ -58,7 +58,7 @@ struct BodyTouchSettings {
 };
 
 /// "simulated thimble on touch_x": for records.
-std::string deviceWords(const device::HandChoice& hand);
+std::string describeDevice(const device::HandChoice& hand);
 
 class BodyTouch final : public Touching {
  public:
@@ -84,7 +84,7 @@ class BodyTouch final : public Touching {
   void runTick(const EachTick& each_tick);
   std::optional<double> heightAt(const Vec2& place) const;
   PressRequest requestAt(const Vec2& place, const MeantPress& meant) const;
-  servo::LimiterSettings limitsOf(const scene::World& world) const;
+  servo::LimiterSettings limiterSettingsFor(const scene::World& world) const;
 
   TrialWorlds worlds_;
   std::shared_ptr<const scene::World> world_;

@@ -16,7 +16,7 @@ constexpr double kImaginedDownS = 0.36;
 constexpr double kImaginedUpS = 0.2;
 constexpr double kImaginedHoverMm = 10.0;
 
-int ticksOf(double seconds) { return std::max(1, static_cast<int>(std::lround(seconds / kImaginedTickS))); }
+int toTicks(double seconds) { return std::max(1, static_cast<int>(std::lround(seconds / kImaginedTickS))); }
 
 }  // namespace
 
@@ -46,7 +46,7 @@ void ImaginedTouch::feel(const Vec3& tip, double force_n, double depth_mm, const
 void ImaginedTouch::travelTo(const Vec3& place, const EachTick& each_tick) {
   const Vec3 over = place + Vec3(0, 0, kImaginedHoverMm);
   const Vec3 from = place_.value_or(over);
-  const int ticks = ticksOf(kImaginedTravelS);
+  const int ticks = toTicks(kImaginedTravelS);
   for (int i = 1; i <= ticks; ++i) feel(from + (over - from) * (static_cast<double>(i) / ticks), 0, 0, each_tick);
   place_ = over;
 }
@@ -56,7 +56,7 @@ FeltPress ImaginedTouch::press(const Site& site, const MeantPress& meant, const 
   const Vec3 place = site.point_mm + Vec3(meant.beside_mm.x(), meant.beside_mm.y(), 0.0);
   travelTo(place, each_tick);
   const auto ramp = [&](double seconds, double from, double to) {
-    const int ticks = ticksOf(seconds);
+    const int ticks = toTicks(seconds);
     for (int i = 1; i <= ticks; ++i) {
       const double force_n = meant.force_n * (from + (to - from) * (static_cast<double>(i) / ticks));
       feel(place, force_n, force_n / stiffness, each_tick);
@@ -69,7 +69,7 @@ FeltPress ImaginedTouch::press(const Site& site, const MeantPress& meant, const 
 }
 
 void ImaginedTouch::rest(double seconds, const EachTick& each_tick) {
-  const int ticks = ticksOf(seconds);
+  const int ticks = toTicks(seconds);
   for (int i = 0; i < ticks; ++i) feel(place_.value_or(Vec3::Zero()), 0, 0, each_tick);
 }
 

@@ -36,7 +36,7 @@ bool LumpRun::stops() const {
 }
 
 void LumpRun::run() {
-  keepRows();
+  storeNewRows();
   while (session_.screen() != LumpScreen::finished) {
     if (stops()) {
       session_.leave(now());
@@ -47,7 +47,7 @@ void LumpRun::run() {
       touch_.rest(kDecideS, [](const trace::Sample&) {});
       session_.next(now());
     }
-    keepRows();
+    storeNewRows();
   }
 }
 
@@ -58,17 +58,17 @@ void LumpRun::tryBody() {
   const std::size_t before = session_.trials().size();
   const std::vector<lumps::HiddenLump> hidden = session_.hidden();
   const FeltLump last_named{.truth = hidden.empty() ? lumps::HiddenLump() : hidden.back(), .clarity = 1.0};
-  const std::vector<FeltLump> found = findingsOf(hidden);
+  const std::vector<FeltLump> found = searchForLumps(hidden);
   touch_.rest(kDecideS, [&](const trace::Sample& sample) { session_.feel(sample, now()); });
   describe(last_named);  // an interrupted session continues with the last question
   if (session_.question() == lumps::LumpQuestion::there) {
     session_.answer(found.empty() ? 0 : 1, now());
-    keepRows();
+    storeNewRows();
   }
   for (const FeltLump& lump : found) answerPlace(lump);
   if (!session_.isExam()) answerPlace(last_named);
   session_.noMore(now());
-  keepRows();
+  storeNewRows();
   ++bodies_;
   if (orders_.answered && session_.trials().size() > before) orders_.answered(session_.trials().back());
 }
@@ -76,7 +76,7 @@ void LumpRun::tryBody() {
 void LumpRun::answerPlace(const FeltLump& lump) {
   if (session_.question() != lumps::LumpQuestion::place) return;
   session_.answer(lump.named_mm, now());
-  keepRows();
+  storeNewRows();
   describe(lump);
 }
 
@@ -88,7 +88,7 @@ bool LumpRun::isNamed(const lumps::HiddenLump& lump) const {
   });
 }
 
-std::vector<LumpRun::FeltLump> LumpRun::findingsOf(const std::vector<lumps::HiddenLump>& hidden) {
+std::vector<LumpRun::FeltLump> LumpRun::searchForLumps(const std::vector<lumps::HiddenLump>& hidden) {
   std::vector<FeltLump> found;
   for (const lumps::HiddenLump& lump : hidden) {
     if (isNamed(lump)) continue;
@@ -108,11 +108,11 @@ LumpRun::FeltLump LumpRun::feel(const lumps::HiddenLump& lump) {
   const Vec2 stroke = lump.place_mm + Vec2(lumps::drawStroke(random_), 0.0);
   contact::FingerOutput firmest;
   press(stroke, &firmest);
-  const lumps::LumpCue cue = lumps::cueOf(firmest, touch_.world().surface.lumps.get(), session_.plan().bodies->ground(),
-                                          orders_.trainee.taxels);
+  const lumps::LumpCue cue = lumps::computeCue(firmest, touch_.world().surface.lumps.get(),
+                                               session_.plan().bodies->ground(), orders_.trainee.taxels);
   const Vec2 seems = orders_.trainee.field ? lump.place_mm : stroke;
   return {.truth = lump,
-          .clarity = lumps::clarityOf(cue, orders_.trainee),
+          .clarity = lumps::computeClarity(cue, orders_.trainee),
           .named_mm = seems + kNamedBesideSdMm * random_.normal2()};
 }
 
@@ -140,19 +140,19 @@ void LumpRun::describe(const FeltLump& lump) {
                       : asked == LumpQuestion::hardness ? lump.truth.hardness
                                                         : (lump.truth.mobile ? 1 : 0);
     session_.answer(known(truth, asked == LumpQuestion::mobile ? 2 : lumps::kGrades, lump.clarity), now());
-    keepRows();
+    storeNewRows();
   }
 }
 
 int LumpRun::known(int truth, int choices, double clarity) {
-  const bool knows = random_.uniform() < lumps::detectionOf(clarity, orders_.trainee);
+  const bool knows = random_.uniform() < lumps::detectionProbability(clarity, orders_.trainee);
   const auto any = static_cast<int>(random_.below(static_cast<std::uint64_t>(choices)));
   return knows ? truth : any;
 }
 
-void LumpRun::keepRows() {
-  std::vector<Row> kept = session_.takeRows();
-  if (orders_.keep && !kept.empty()) orders_.keep(std::move(kept));
+void LumpRun::storeNewRows() {
+  std::vector<Row> kept = session_.drainRows();
+  if (orders_.save && !kept.empty()) orders_.save(std::move(kept));
 }
 
 }  // namespace palpate::training

@@ -2,7 +2,7 @@
 // passes nearest to a lump is made, with the whole haptic loop; elsewhere there is nothing to feel. The cue of that
 // press (lumps/lump_observer.h) decides whether the lump is found, and how much is known of it.
 //
-//   LumpSession::hidden ─ BodyTouch ─► what was felt ─ cueOf, finds ─► answers, places ─► LumpSession ─► rows
+//   LumpSession::hidden ─ BodyTouch ─► what was felt ─ computeCue, finds ─► answers, places ─► LumpSession ─► rows
 //
 // Assumed, since no study has measured it: a named place is some millimetres off the lump, or off the finger of a
 // trainee who does not feel the pattern; size, depth, hardness and mobility are each known as often as a lump this
@@ -23,7 +23,7 @@ struct LumpOrders {
   LumpTraineeSettings trainee;
   int most_bodies = 0;  ///< stops the block after this many; 0: continues to its end
   /// Rows in their order, after every answer.
-  std::function<void(std::vector<Row>)> keep = {};
+  std::function<void(std::vector<Row>)> save = {};
   std::function<void(const TrialRow&)> answered = {};  ///< once a body's rows are kept; may be empty
   std::function<bool()> stop = {};                     ///< true puts the block down
 };
@@ -48,13 +48,13 @@ class LumpRun {
   FeltLump feel(const lumps::HiddenLump& lump);
   void press(const Vec2& place_mm, contact::FingerOutput* firmest);
   /// Findings that it would name in this body, without those named before an interruption.
-  std::vector<FeltLump> findingsOf(const std::vector<lumps::HiddenLump>& hidden);
+  std::vector<FeltLump> searchForLumps(const std::vector<lumps::HiddenLump>& hidden);
   bool isNamed(const lumps::HiddenLump& lump) const;
   void answerPlace(const FeltLump& lump);
   void describe(const FeltLump& lump);
   int known(int truth, int choices, double clarity);
   bool stops() const;
-  void keepRows();
+  void storeNewRows();
 
   LumpSession& session_;
   BodyTouch& touch_;

@@ -57,7 +57,7 @@ std::vector<std::string> keyNames(const Keys& keys, std::initializer_list<const 
 }
 
 /// "weber", "0.2" of "weber=0.2, lapse=0.02".
-std::vector<std::pair<std::string_view, std::string_view>> pairsOf(std::string_view words) {
+std::vector<std::pair<std::string_view, std::string_view>> parsePairs(std::string_view words) {
   std::vector<std::pair<std::string_view, std::string_view>> pairs;
   if (trimmed(words).empty()) return pairs;
   for (const std::string_view pair : split(words, ',')) {
@@ -119,27 +119,27 @@ void setLumpKey(LumpTraineeSettings& settings, std::string_view key, std::string
 
 ObserverSettings observerNamed(std::string_view words) {
   ObserverSettings settings;
-  for (const auto& [key, word] : pairsOf(words)) setObserverKey(settings, key, word);
+  for (const auto& [key, word] : parsePairs(words)) setObserverKey(settings, key, word);
   return settings;
 }
 
 bool isLumpTrainee(std::string_view words) {
-  return std::ranges::any_of(pairsOf(words), [](const auto& pair) { return pair.first == "observer"; });
+  return std::ranges::any_of(parsePairs(words), [](const auto& pair) { return pair.first == "observer"; });
 }
 
 LumpTraineeSettings lumpTraineeNamed(std::string_view words) {
   LumpTraineeSettings settings;
-  for (const auto& [key, word] : pairsOf(words)) setLumpKey(settings, key, word);
+  for (const auto& [key, word] : parsePairs(words)) setLumpKey(settings, key, word);
   return settings;
 }
 
-std::string lumpTraineeWords(const LumpTraineeSettings& settings) {
+std::string formatLumpTrainee(const LumpTraineeSettings& settings) {
   std::string words = "observer=lump,";
   for (const LumpKey& key : kLumpKeys) words += fmt::format("{}={},", key.name, settings.*(key.value));
   return words + fmt::format("field={},seed={}", settings.field, settings.seed);
 }
 
-std::string observerWords(const ObserverSettings& settings) {
+std::string formatObserver(const ObserverSettings& settings) {
   std::string words;
   for (const ObserverKey& key : kObserverKeys) words += fmt::format("{}={},", key.name, settings.*(key.value));
   return words + fmt::format("sites={},seed={}", settings.sites, settings.seed);
@@ -169,7 +169,7 @@ int decide(std::span<const int> felt_sites, std::span<const double> felt_ratio, 
   std::size_t stiffest = 0;
   double most = 0.0;
   for (std::size_t i = 0; i < felt_sites.size(); ++i) {
-    const double percept = changeOf(felt_ratio[i], settings.meaning) + noise * random.normal();
+    const double percept = changeFromRatio(felt_ratio[i], settings.meaning) + noise * random.normal();
     if (i > 0 && percept <= most) continue;
     stiffest = i;
     most = percept;

@@ -1,7 +1,7 @@
 // How a simulated trainee decides: it feels each site's change with noise and names the one that felt stiffest; now and
 // then it does not care (lapse), and it may leave sites out.
 //
-//   felt stiffness ratios ─ changeOf + noise of its threshold ─► the largest ─► answer
+//   felt stiffness ratios ─ changeFromRatio + noise of its threshold ─► the largest ─► answer
 //
 // Its d' grows with the declared change, so its psychometric function is the ideal observer's, with T = weber among
 // twelve sites (psychometric.h).
@@ -40,7 +40,7 @@ inline constexpr double kDPrimeAtThreshold = 1.697;
 /// "weber=0.2,lapse=0.02,sites=12": keys as above. Throws Error naming the key, with the nearest.
 ObserverSettings observerNamed(std::string_view words);
 /// The same settings as words that observerNamed understands, for records.
-std::string observerWords(const ObserverSettings& settings);
+std::string formatObserver(const ObserverSettings& settings);
 
 /// One who sits with lumps (lump_trainee.h): how plainly each has to be felt is LumpObserver's.
 struct LumpTraineeSettings : lumps::LumpObserver {
@@ -54,7 +54,7 @@ struct LumpTraineeSettings : lumps::LumpObserver {
 bool isLumpTrainee(std::string_view words);
 /// "observer=lump,pattern_weber=0.036,force_weber=0.08,spread=3.4,field=true". Throws Error naming the key.
 LumpTraineeSettings lumpTraineeNamed(std::string_view words);
-std::string lumpTraineeWords(const LumpTraineeSettings& settings);
+std::string formatLumpTrainee(const LumpTraineeSettings& settings);
 
 /// The threshold before the block number `block` (from 0).
 double weberNow(const ObserverSettings& settings, int block);

@@ -38,10 +38,10 @@ std::uint64_t mixed(std::uint64_t seed, std::string_view words) {
 Uuid seededId(std::int64_t start_ms, std::uint64_t seed) {
   Random random(seed);
   const std::uint64_t first = random.bits();
-  return uuidOf(start_ms, {first, random.bits()});
+  return makeUuidV7(start_ms, {first, random.bits()});
 }
 
-SessionPlan planOf(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
+SessionPlan makeSessionPlan(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
   SessionPlan plan;
   plan.protocol = bench.protocol;
   if (bench.body) {
@@ -57,7 +57,7 @@ SessionPlan planOf(Store& store, const TraineeBench& bench, const TraineeSession
   plan.row.station_id = bench.station;
   plan.row.start_ms = requested.start_ms;
   plan.row.app_version = engine::recordingHeader(1.0 / plan.tick_s).software;
-  plan.row.device = bench.body ? deviceWords(bench.hand) : std::string(kNoBody);
+  plan.row.device = bench.body ? describeDevice(bench.hand) : std::string(kNoBody);
   if (bench.body && bench.recording_files) plan.row.file = RecordingFiles::nameFor(plan.row.id);
   if (const auto interrupted = store.interrupted(requested.trainee, requested.kind)) plan.resumed = interrupted->block;
   if (const auto last = store.lastMeasured(requested.trainee)) {
@@ -66,13 +66,13 @@ SessionPlan planOf(Store& store, const TraineeBench& bench, const TraineeSession
   return plan;
 }
 
-std::unique_ptr<BodyTouch> bodyTouchOf(const Store& store, const TraineeBench& bench, const SessionPlan& plan,
-                                       const TraineeSession& requested) {
+std::unique_ptr<BodyTouch> makeBodyTouch(const Store& store, const TraineeBench& bench, const SessionPlan& plan,
+                                         const TraineeSession& requested) {
   BodyTouchSettings settings;
   settings.hand = bench.hand;
   settings.start_ms = requested.start_ms;
-  settings.notes = "a simulated trainee: " + (hidesLumps(plan.kind) ? lumpTraineeWords(requested.lump_observer)
-                                                                    : observerWords(requested.observer));
+  settings.notes = "a simulated trainee: " + (hidesLumps(plan.kind) ? formatLumpTrainee(requested.lump_observer)
+                                                                    : formatObserver(requested.observer));
   if (!plan.row.file.empty()) {
     settings.recording = store.folder() / plan.row.file;
     makePrivateFolder(settings.recording.parent_path(), ExistingFolder::closed);
@@ -81,14 +81,14 @@ std::unique_ptr<BodyTouch> bodyTouchOf(const Store& store, const TraineeBench& b
                                      settings);
 }
 
-std::unique_ptr<Touching> touchingOf(const Store& store, const TraineeBench& bench, const SessionPlan& plan,
-                                     const TraineeSession& requested) {
+std::unique_ptr<Touching> makeTouching(const Store& store, const TraineeBench& bench, const SessionPlan& plan,
+                                       const TraineeSession& requested) {
   if (!bench.body) return std::make_unique<ImaginedTouch>(plan.protocol, plan.kind);
-  return bodyTouchOf(store, bench, plan, requested);
+  return makeBodyTouch(store, bench, plan, requested);
 }
 
 /// The last row of each kind.
-void noteRows(std::span<const Row> rows, SatThrough& sat) {
+void noteRows(std::span<const Row> rows, SessionOutcome& sat) {
   for (const Row& row : rows) {
     if (const auto* session = std::get_if<SessionRow>(&row)) sat.row = *session;
     if (const auto* block = std::get_if<BlockRow>(&row)) sat.block = *block;
@@ -105,9 +105,9 @@ SiteSet sitesOn(const scene::World& body, const Protocol& protocol) {
 
 namespace {
 
-SatThrough sitThroughLumps(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
+SessionOutcome runLumpSession(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
   if (!bench.body) throw Error("trainee: a sitting with lumps is felt on a body");
-  const SessionPlan plan = planOf(store, bench, requested);
+  const SessionPlan plan = makeSessionPlan(store, bench, requested);
   LumpSessionPlan of_lumps;
   of_lumps.protocol = bench.protocol;
   of_lumps.kind = plan.kind;
@@ -117,13 +117,13 @@ SatThrough sitThroughLumps(Store& store, const TraineeBench& bench, const Traine
   of_lumps.tick_s = plan.tick_s;
   of_lumps.row = plan.row;
   of_lumps.resumed = plan.resumed;
-  const std::unique_ptr<BodyTouch> touch = bodyTouchOf(store, bench, plan, requested);
-  SatThrough sat;
+  const std::unique_ptr<BodyTouch> touch = makeBodyTouch(store, bench, plan, requested);
+  SessionOutcome sat;
   sat.resumed = plan.resumed.has_value();
   LumpOrders orders{.trainee = requested.lump_observer, .most_bodies = requested.most_trials};
-  orders.keep = [&](std::vector<Row> rows) {
+  orders.save = [&](std::vector<Row> rows) {
     noteRows(rows, sat);
-    store.keep(rows);
+    store.save(rows);
   };
   orders.answered = bench.answered;
   orders.stop = bench.stop;
@@ -134,7 +134,7 @@ SatThrough sitThroughLumps(Store& store, const TraineeBench& bench, const Traine
   if (!sat.row.file.empty()) {
     sat.row.file_sha256 = sha256OfFile(store.folder() / sat.row.file);
     const std::vector<Row> last = {sat.row};
-    store.keep(last);
+    store.save(last);
   }
   sat.lumps = session.counts();
   sat.simulated_s = run.now().s;
@@ -143,11 +143,11 @@ SatThrough sitThroughLumps(Store& store, const TraineeBench& bench, const Traine
 
 }  // namespace
 
-SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
-  if (hidesLumps(requested.kind)) return sitThroughLumps(store, bench, requested);
-  const SessionPlan plan = planOf(store, bench, requested);
-  const std::unique_ptr<Touching> touching = touchingOf(store, bench, plan, requested);
-  SatThrough sat;
+SessionOutcome runSession(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
+  if (hidesLumps(requested.kind)) return runLumpSession(store, bench, requested);
+  const SessionPlan plan = makeSessionPlan(store, bench, requested);
+  const std::unique_ptr<Touching> touching = makeTouching(store, bench, plan, requested);
+  SessionOutcome sat;
   sat.resumed = plan.resumed.has_value();
   if (plan.resumed) sat.block = *plan.resumed;
   std::vector<Row> together;  // without a body a session takes milliseconds, and a disk that long for each trial
@@ -157,9 +157,9 @@ SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSess
   orders.most_trials = requested.most_trials;
   orders.answered = bench.answered;
   orders.stop = bench.stop;
-  orders.keep = [&](std::vector<Row> rows) {
+  orders.save = [&](std::vector<Row> rows) {
     noteRows(rows, sat);
-    if (bench.body) return store.keep(rows);
+    if (bench.body) return store.save(rows);
     for (Row& row : rows) together.push_back(std::move(row));
   };
   Session session(plan, {.s = 0.0, .utc_ms = requested.start_ms, .tick = 0});
@@ -170,7 +170,7 @@ SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSess
     sat.row.file_sha256 = sha256OfFile(store.folder() / sat.row.file);
     together.emplace_back(sat.row);
   }
-  if (!together.empty()) store.keep(together);
+  if (!together.empty()) store.save(together);
   sat.result = session.result();
   sat.simulated_s = run.now().s;
   return sat;
@@ -215,8 +215,8 @@ std::vector<SessionKind> withoutDone(const std::vector<SessionKind>& kinds, std:
 
 }  // namespace
 
-void sitCourse(Store& store, const TraineeBench& bench, const TraineeCourse& course,
-               const std::function<void(const SatThrough&)>& after_each) {
+void runProgramme(Store& store, const TraineeBench& bench, const TraineeCourse& course,
+                  const std::function<void(const SessionOutcome&)>& after_each) {
   CourseSoFar so_far = courseSoFar(store, course.trainee);
   const std::vector<SessionKind> kinds = course.goes_on ? withoutDone(course.kinds, so_far.done) : course.kinds;
   for (const SessionKind kind : kinds) {
@@ -231,7 +231,7 @@ void sitCourse(Store& store, const TraineeBench& bench, const TraineeCourse& cou
         so_far.newest_ms == 0 ? course.start_ms : std::max(course.start_ms, so_far.newest_ms + kBetweenMs);
     session.practised = so_far.practised;
     session.most_trials = course.most_trials;
-    const SatThrough sat = sitThrough(store, bench, session);
+    const SessionOutcome sat = runSession(store, bench, session);
     ++so_far.sessions;
     so_far.newest_ms = std::max(sat.row.start_ms, sat.row.end_ms);
     const bool practice = kind == SessionKind::practice || kind == SessionKind::mastery;
@@ -250,7 +250,7 @@ StationRow simulatedStation(std::int64_t start_ms) {
 
 TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code, std::int64_t created_ms,
                             const std::string& key) {
-  return {.id = pseudonymOf(class_id, code, key),
+  return {.id = derivePseudonym(class_id, code, key),
           .class_id = class_id,
           .created_ms = created_ms,
           .dominant_hand = {},
@@ -259,7 +259,7 @@ TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code
 }
 
 std::string simulatedCode(std::uint64_t seed, int number) {
-  return codeOf(Random(mixed(seed, "trainee " + std::to_string(number))).bits());
+  return makeTraineeCode(Random(mixed(seed, "trainee " + std::to_string(number))).bits());
 }
 
 std::vector<SessionKind> vhbCourse() {

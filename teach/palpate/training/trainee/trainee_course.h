@@ -1,7 +1,7 @@
 // Sessions of simulated trainees from end to end, kept as a person's are: the session, its recording, its rows in a
 // station's file of results; one after the other through a programme, or for a whole class.
 //
-//   TraineeBench, TraineeSession ─ sitThrough ─► Store, sessions/<session>.session
+//   TraineeBench, TraineeSession ─ runSession ─► Store, sessions/<session>.session
 //
 // A block that was interrupted continues. Deterministic: ids, times and answers come from the seed and the start.
 #pragma once
@@ -51,7 +51,7 @@ struct TraineeSession {
 };
 
 /// Result of one session.
-struct SatThrough {
+struct SessionOutcome {
   SessionRow row;
   BlockRow block;
   std::vector<TrialRow> trials;       ///< trials of this session
@@ -62,7 +62,7 @@ struct SatThrough {
 };
 
 /// Throws Error as BodyTouch, Session and Store do.
-SatThrough sitThrough(Store& store, const TraineeBench& bench, const TraineeSession& session);
+SessionOutcome runSession(Store& store, const TraineeBench& bench, const TraineeSession& session);
 
 /// One trainee's sessions, one after the other, a few days apart.
 struct TraineeCourse {
@@ -77,8 +77,8 @@ struct TraineeCourse {
 };
 
 /// It learns from every practice that the records hold. Ends early when the bench's `stop` returns true.
-void sitCourse(Store& store, const TraineeBench& bench, const TraineeCourse& course,
-               const std::function<void(const SatThrough&)>& after_each);
+void runProgramme(Store& store, const TraineeBench& bench, const TraineeCourse& course,
+                  const std::function<void(const SessionOutcome&)>& after_each);
 
 /// The station of simulated trainees, and one of them; kept before the first session.
 StationRow simulatedStation(std::int64_t start_ms);
@@ -98,7 +98,7 @@ ObserverSettings oneOfClass(const ObserverSettings& mean, double spread, std::ui
 // feedback, without a window and as fast as it can.
 //
 //   Session ─ screen, hidden place ─► TraineeRun ─ presses ─► Touching ─ samples ─► Session
-//                                        └─ felt stiffness ─ decide (observer.h) ─ answer ─► Session ─ rows ─► keep
+//                                        └─ felt stiffness ─ decide (observer.h) ─ answer ─► Session ─ rows ─► save
 //
 // Time is the touching's ticks and nothing else: the same seeds give the same rows, bit by bit.
 
@@ -107,7 +107,7 @@ struct TraineeOrders {
   int practised = 0;    ///< blocks that it has learned from
   int most_trials = 0;  ///< stops the block after this many; 0: continues to its end
   /// Rows in their order, after each answer and screen: a trial counts when this returns.
-  std::function<void(std::vector<Row>)> keep = {};
+  std::function<void(std::vector<Row>)> save = {};
   std::function<void(const TrialRow&)> answered = {};  ///< once its rows are kept; may be empty
   std::function<bool()> stop = {};                     ///< asked before each press: true puts the block down
 };
@@ -138,7 +138,7 @@ class TraineeRun {
   void answer(int site);
   bool pressSite(int number);
   void readFeedback();
-  void keepRows();
+  void storeNewRows();
   bool stops() const;
 
   Session& session_;

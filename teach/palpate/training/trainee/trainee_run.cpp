@@ -74,7 +74,7 @@ bool TraineeRun::stops() const {
 }
 
 void TraineeRun::run() {
-  keepRows();
+  storeNewRows();
   while (session_.screen() != Screen::finished) {
     if (stops()) {
       session_.leave(now());
@@ -85,7 +85,7 @@ void TraineeRun::run() {
       }
       walkScreen();
     }
-    keepRows();
+    storeNewRows();
   }
 }
 
@@ -179,7 +179,7 @@ void TraineeRun::tryTrial() {
     answer(decide(felt_.sites, ratios, orders_.observer, orders_.practised, session_.plan().sites.choices(), random_));
   }
   ++answers_;
-  keepRows();
+  storeNewRows();
   if (orders_.answered) orders_.answered(session_.trials().back());
 }
 
@@ -195,9 +195,9 @@ void TraineeRun::readFeedback() {
   session_.next(now());
 }
 
-void TraineeRun::keepRows() {
-  std::vector<Row> rows = session_.takeRows();
-  if (orders_.keep && !rows.empty()) orders_.keep(std::move(rows));
+void TraineeRun::storeNewRows() {
+  std::vector<Row> rows = session_.drainRows();
+  if (orders_.save && !rows.empty()) orders_.save(std::move(rows));
 }
 
 }  // namespace palpate::training

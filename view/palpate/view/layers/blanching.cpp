@@ -13,7 +13,7 @@ constexpr double kFullyPaleMm = 4.0;
 /// A sliding finger leaves a mark behind each time it has gone this share of its radius.
 constexpr double kSpacing = 0.5;
 
-PressMark markOf(const Press& press) {
+PressMark makePressMark(const Press& press) {
   return {press.anchor.cast<float>(), static_cast<float>(press.radius_mm),
           static_cast<float>(std::min(1.0, press.depth_mm / kFullyPaleMm))};
 }
@@ -27,7 +27,7 @@ std::span<const PressMark> Blanching::at(double time_s, std::span<const Press> p
   std::erase_if(traces_, [&](const Trace& trace) { return time_s - trace.last_pressed_s >= kRefillS; });
   marks_.clear();
   for (const Press& p : presses) {
-    if (p.depth_mm > 0.0) marks_.push_back(markOf(p));
+    if (p.depth_mm > 0.0) marks_.push_back(makePressMark(p));
   }
   for (const Trace& trace : traces_) {
     const double refilled = (time_s - trace.last_pressed_s) / kRefillS;
@@ -41,7 +41,7 @@ std::span<const PressMark> Blanching::at(double time_s, std::span<const Press> p
 
 void Blanching::press(const Press& press, double time_s) {
   if (!(press.depth_mm > 0.0)) return;
-  const PressMark mark = markOf(press);
+  const PressMark mark = makePressMark(press);
   const auto near = std::find_if(traces_.begin(), traces_.end(), [&](const Trace& trace) {
     return (trace.mark.place - mark.place).norm() < kSpacing * press.radius_mm;
   });

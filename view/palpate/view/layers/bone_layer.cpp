@@ -51,7 +51,7 @@ void main() {
   vec3 to_eye = normalize(eye - place);
   float facing = saturate(dot(n, to_eye));
   vec3 light = ivory * matteLight(n, 0.9) * (0.55 + 0.45 * facing);
-  light += key_light * (0.7 * sheenOf(n, to_key, to_eye, 0.6, 0.45));
+  light += key_light * (0.7 * specularGloss(n, to_key, to_eye, 0.6, 0.45));
   float under_skin = smoothstep(0.0, 0.25, skin_opacity);
   light *= 1.0 - under_skin * (0.5 - 0.5 * exp(-0.05 * depth));
   colour = vec4(encoded(toned(light)), 1.0);

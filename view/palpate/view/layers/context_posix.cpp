@@ -53,7 +53,7 @@ std::string versionOffered(EGLDisplay display) {
   const EGLContext context = madeContext(display, any);
   if (context == EGL_NO_CONTEXT) return "none";
   eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
-  std::string version = glWords(GL_VERSION);
+  std::string version = glString(GL_VERSION);
   if (version.empty()) version = "unknown";
   eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display, context);

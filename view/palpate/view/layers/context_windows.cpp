@@ -54,7 +54,7 @@ bool choosePixels(HDC device) {
 }
 
 /// A context of the needed version; requested through an old one, which has to be current for that.
-HGLRC contextOf(HDC device, Profile profile) {
+HGLRC createContext(HDC device, Profile profile) {
   const std::array<int, 7> wanted = {
       WGL_CONTEXT_MAJOR_VERSION_ARB,
       kNeededVersion / 10,
@@ -69,7 +69,7 @@ HGLRC contextOf(HDC device, Profile profile) {
                       ? wglCreateContextAttribsARB(device, nullptr, wanted.data())
                       : nullptr;
   if (context == nullptr) {
-    const std::string offered = glWords(GL_VERSION);
+    const std::string offered = glString(GL_VERSION);
     wglMakeCurrent(nullptr, nullptr);
     wglDeleteContext(old);
     throw Error(fmt::format("cannot draw: needs OpenGL 3.3, found {}", offered.empty() ? "none" : offered));
@@ -85,7 +85,7 @@ OffscreenContext::OffscreenContext(Profile profile) : handles_(std::make_unique<
   handles_->window = hiddenWindow();
   if (handles_->window != nullptr) handles_->device = GetDC(handles_->window);
   if (handles_->device != nullptr && choosePixels(handles_->device)) {
-    handles_->context = contextOf(handles_->device, profile);
+    handles_->context = createContext(handles_->device, profile);
   }
   if (handles_->context == nullptr || wglMakeCurrent(handles_->device, handles_->context) == FALSE) {
     throw Error("cannot draw: this Windows offers no OpenGL (a driver of the graphics card brings it)");

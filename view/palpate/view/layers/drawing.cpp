@@ -34,7 +34,7 @@ ImU32 packed(const Ink& ink) {
   return IM_COL32(ink.colour[0], ink.colour[1], ink.colour[2], std::lround(255.0 * ink.opacity));
 }
 
-const char* endOf(std::string_view words) { return words.data() + words.size(); }
+const char* textEnd(std::string_view words) { return words.data() + words.size(); }
 
 /// Makes a context current for as long as it lives.
 class Inside {
@@ -175,12 +175,12 @@ void Drawing::text(const Vec2f& place, std::string_view words, const Ink& ink, A
   // Letters start on whole points: those of a supersampled picture are then reduced alike.
   const ImVec2 start{std::round(place.x() - left), std::round(place.y())};
   impl_->list->AddText(impl_->font(size), kTextPoints[static_cast<std::size_t>(size)], start, packed(ink), words.data(),
-                       endOf(words));
+                       textEnd(words));
 }
 
 Vec2f Drawing::measure(std::string_view words, TextSize size) const {
   const float points = kTextPoints[static_cast<std::size_t>(size)];
-  const ImVec2 extent = impl_->font(size)->CalcTextSizeA(points, INFINITY, 0.0f, words.data(), endOf(words));
+  const ImVec2 extent = impl_->font(size)->CalcTextSizeA(points, INFINITY, 0.0f, words.data(), textEnd(words));
   return {extent.x, extent.y};
 }
 

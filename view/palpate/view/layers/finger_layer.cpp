@@ -132,11 +132,11 @@ void main() {
   skin = mix(skin, finger_colour, on_band) * (1.0 - 0.35 * smoothstep(-1.4, 0.0, band) * (1.0 - smoothstep(0.6, 2.6, band)));
   float near_skin = 0.5 + 0.5 * dot(n, down);
   float left = 1.0 - 0.42 * near_skin * near_skin;
-  vec3 wrap = wrapOf(0.7, skin_scatter * (1.0 - on_band));
+  vec3 wrap = wrapAmount(0.7, skin_scatter * (1.0 - on_band));
   float slant = 1.0 - saturate(dot(n, to_eye));
   float slant3 = slant * slant * slant;
   vec3 light = skinLight(n, wrap, left, left) + (vec3(0.16, 0.07, 0.05) + rim_light * (0.5 + 0.5 * n.y)) * slant3;
-  vec3 seen_colour = skin * light + key_light * (sheen * sheenOf(n, to_key, to_eye, 0.58, narrow));
+  vec3 seen_colour = skin * light + key_light * (sheen * specularGloss(n, to_key, to_eye, 0.58, narrow));
   seen_colour += ambientFrom(reflect(-to_eye, n)) * (0.02 + 0.10 * slant3 * slant);
   colour = vec4(encoded(toned(seen_colour)), opacity);
 }
@@ -175,14 +175,14 @@ mesh::TriangleMesh unitSphere() {
   return sphere;
 }
 
-std::vector<Vec3f> floatsOf(const std::vector<Vec3>& values) {
+std::vector<Vec3f> toFloats(const std::vector<Vec3>& values) {
   std::vector<Vec3f> floats;
   floats.reserve(values.size());
   for (const Vec3& value : values) floats.push_back(value.cast<float>());
   return floats;
 }
 
-std::array<Vec3f, 5> floatsOf(const body::PalpatingHand& hand, Vec3 body::Nail::*part) {
+std::array<Vec3f, 5> toFloats(const body::PalpatingHand& hand, Vec3 body::Nail::*part) {
   std::array<Vec3f, 5> floats;
   for (std::size_t i = 0; i < floats.size(); ++i) floats[i] = (hand.nails[i].*part).cast<float>();
   return floats;
@@ -209,8 +209,8 @@ FingerLayer::Shape FingerLayer::uploaded(const mesh::TriangleMesh& mesh) {
   shape.indices = static_cast<Index>(3 * mesh.triangles.size());
   glBindVertexArray(shape.vertex_array.get());
   fillBuffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, shape.triangles.get(), mesh.triangles);
-  pointAt(0, shape.places.get(), floatsOf(mesh.positions));
-  pointAt(1, shape.normals.get(), floatsOf(mesh::vertexNormals(mesh)));
+  pointAt(0, shape.places.get(), toFloats(mesh.positions));
+  pointAt(1, shape.normals.get(), toFloats(mesh::vertexNormals(mesh)));
   glBindVertexArray(0);
   return shape;
 }
@@ -275,7 +275,7 @@ void FingerLayer::drawBalls(std::span<const FingerPose> fingers, const Viewpoint
 
 HandPose FingerLayer::handPose(const scene::World& world, Form form, const FingerPose& finger) {
   const double size = form == Form::finger ? finger.radius_mm / body::kFingertipMm : 1.0;
-  return handPoseOf(world, finger, hand(form, finger.left).hand, size);
+  return computeHandPose(world, finger, hand(form, finger.left).hand, size);
 }
 
 void FingerLayer::addCasters(Form form, const FingerPose& finger, const HandPose& pose,
@@ -296,7 +296,7 @@ void FingerLayer::addCasters(Form form, const FingerPose& finger, const HandPose
 
 void FingerLayer::setHand(const Hand& hand, const FingerPose& finger, const HandTones& tones,
                           const Viewpoint& viewpoint) const {
-  const SkinTone tone = skinToneOf(tones.skin);
+  const SkinTone tone = interpolateSkinTone(tones.skin);
   hand_program_.use();
   setViewpoint(hand_program_, viewpoint);
   hand_program_.set("skin_colour", tone.colour);
@@ -312,7 +312,7 @@ void FingerLayer::setHand(const Hand& hand, const FingerPose& finger, const Hand
   for (const auto& [name, part] :
        {std::pair{"nail_centre", &body::Nail::centre}, std::pair{"nail_along", &body::Nail::along},
         std::pair{"nail_across", &body::Nail::across}, std::pair{"nail_up", &body::Nail::up}}) {
-    const std::array<Vec3f, 5> values = floatsOf(hand.hand, part);
+    const std::array<Vec3f, 5> values = toFloats(hand.hand, part);
     hand_program_.set(name, std::span<const Vec3f>(values));
   }
 }

@@ -26,13 +26,13 @@ struct HandPose {
 };
 
 /// Along the skin, from the wrist to the tip.
-Vec3 headingOf(const Vec3& normal, bool left);
+Vec3 fingerHeading(const Vec3& normal, bool left);
 
 /// The pad of the index finger is where the finger's ball meets the skin; the hand is as flat as its other parts allow
 /// without sinking into the skin at rest, and lifted where even that is not enough. `hand` must be the one of that
 /// side, `size` times as large.
-HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand,
-                    double size = 1.0);
+HandPose computeHandPose(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand,
+                         double size = 1.0);
 
 /// The look of a hand: linear.
 struct HandTones {

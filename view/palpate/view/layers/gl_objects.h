@@ -116,7 +116,7 @@ class Program {
 inline void blendOver() { glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); }
 
 /// The driver's text, GL_VERSION for instance; empty without one.
-inline std::string glWords(GLenum name) {
+inline std::string glString(GLenum name) {
   const auto* words = reinterpret_cast<const char*>(glGetString(name));
   return words == nullptr ? "" : words;
 }

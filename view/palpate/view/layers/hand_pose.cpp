@@ -34,7 +34,7 @@ Vec3 cranialAlong(const Vec3& normal) {
 /// `steepness` is that of the index finger's last joint, which is bent against the hand.
 Mat3 axesAt(const FingerPose& finger, const body::PalpatingHand& hand, double steepness) {
   const Vec3& up = finger.normal;
-  const Vec3 heading = headingOf(up, finger.left);
+  const Vec3 heading = fingerHeading(up, finger.left);
   const double slope = steepness - std::asin(std::clamp(-hand.pad_along.z(), -1.0, 1.0));
   Mat3 axes;
   axes.col(1) = std::cos(slope) * heading - std::sin(slope) * up;
@@ -91,13 +91,14 @@ double deepestPart(const scene::World& world, const FingerPose& finger, const bo
 
 }  // namespace
 
-Vec3 headingOf(const Vec3& normal, bool left) {
+Vec3 fingerHeading(const Vec3& normal, bool left) {
   const Vec3 cranial = cranialAlong(normal);
   const double aside = left ? kAside : -kAside;
   return std::cos(aside) * cranial + std::sin(aside) * cranial.cross(normal);
 }
 
-HandPose handPoseOf(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand, double size) {
+HandPose computeHandPose(const scene::World& world, const FingerPose& finger, const body::PalpatingHand& hand,
+                         double size) {
   double flat = kFlattest;
   double steep = kSteepest;
   constexpr int kHalvings = 5;  // to a degree

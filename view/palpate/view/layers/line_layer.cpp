@@ -94,7 +94,7 @@ void main() { colour = corner_paint; }
 constexpr float kHiddenShare = 0.25f;
 constexpr float kDashPx = 4.0f;
 
-Eigen::Vector4f shareOf(Paint paint) { return Eigen::Vector4f(paint[0], paint[1], paint[2], paint[3]) / 255.0f; }
+Eigen::Vector4f toUnitRange(Paint paint) { return Eigen::Vector4f(paint[0], paint[1], paint[2], paint[3]) / 255.0f; }
 
 }  // namespace
 
@@ -166,7 +166,7 @@ void LineLayer::beginEdges(const Viewpoint& viewpoint, double width_px, Paint pa
   edges_.set("width", static_cast<float>(width_px));
   edges_.set("dash_px", 0.0f);
   edges_.set("strength", 1.0f);
-  edges_.set("edge_paint", shareOf(paint));
+  edges_.set("edge_paint", toUnitRange(paint));
 }
 
 }  // namespace palpate::view

@@ -79,11 +79,11 @@ Image Target::read() const {
 
 void waitUntilDrawn() { glFinish(); }
 
-std::string rendererWords() { return glWords(GL_RENDERER); }
+std::string rendererString() { return glString(GL_RENDERER); }
 
 std::string rendererName() {
-  const std::string renderer = rendererWords();
-  const std::string version = glWords(GL_VERSION);
+  const std::string renderer = rendererString();
+  const std::string version = glString(GL_VERSION);
   constexpr std::string_view kMesa = "Mesa ";
   const std::size_t mesa = version.find(kMesa);
   const std::string number = mesa == std::string::npos ? version : version.substr(mesa + kMesa.size());

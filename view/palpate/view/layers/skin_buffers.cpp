@@ -24,7 +24,7 @@ constexpr std::size_t kManyTriangles = 200000;
 constexpr float kCoarseCellMm = 2.0f;
 constexpr float kCoarseCellPixels = 3.0f;
 
-std::span<const float> streamOf(const deform::DeformedSurface& surface, int array) {
+std::span<const float> surfaceArray(const deform::DeformedSurface& surface, int array) {
   if (array < 3) return surface.position(array);
   return array < 6 ? surface.normal(array - 3) : surface.strain();
 }
@@ -40,7 +40,7 @@ void put(std::size_t offset, std::span<const float> values) {
                   values.data());
 }
 
-DrawnVertices drawnVerticesOf(const scene::World& world) {
+DrawnVertices makeDrawnVertices(const scene::World& world) {
   const deform::Skin& skin = *world.deformable;
   if (!world.body->texture) return drawnVertices(skin.vertices, skin.triangles);
   return drawnVertices(skin.vertices, skin.triangles, world.body->texture->corners);
@@ -65,7 +65,7 @@ std::vector<std::array<std::uint8_t, 4>> paddedColours(const scene::SkinChannels
 }
 
 /// Both ends of each edge once.
-std::vector<Index> edgesOf(const deform::Skin& skin) {
+std::vector<Index> listEdgeEnds(const deform::Skin& skin) {
   std::vector<Index> ends;
   for (Index v = 0; v < skin.vertices; ++v) {
     for (const Index other : skin.neighbours[v]) {
@@ -102,12 +102,12 @@ std::vector<PackedNormal> packed(const std::vector<Vec3f>& normals) {
 
 /// The outline stays: the eye sees it first. At a seam the picture continues elsewhere: no triangle may reach across
 /// it.
-std::vector<Stays> whatStays(const scene::World& world, const DrawnVertices& drawn) {
+std::vector<Required> requiredVertices(const scene::World& world, const DrawnVertices& drawn) {
   const std::vector<std::uint8_t> border = drawn.withCopies<std::uint8_t>(world.surface.geometry->vertex_on_border);
   const std::vector<std::uint8_t> seam = drawn.nearSeam();
-  std::vector<Stays> stays(drawn.count());
+  std::vector<Required> stays(drawn.count());
   for (Index v = 0; v < drawn.count(); ++v) {
-    stays[v] = seam[v] != 0 ? Stays::cell : border[v] != 0 ? Stays::vertex : Stays::no;
+    stays[v] = seam[v] != 0 ? Required::cell : border[v] != 0 ? Required::vertex : Required::no;
   }
   return stays;
 }
@@ -116,7 +116,7 @@ std::vector<Stays> whatStays(const scene::World& world, const DrawnVertices& dra
 
 SkinBuffers::SkinBuffers(const scene::World& world)
     : world_(&world),
-      drawn_(drawnVerticesOf(world)),
+      drawn_(makeDrawnVertices(world)),
       stiffness_(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end()),
       box_(mesh::boundingBox(world.body->skin).translated(-world.deformable->origin).cast<float>()) {
   const std::vector<Vec3f> places = drawn_.withCopies<Vec3f>(restPlaces(*world.deformable));
@@ -133,12 +133,12 @@ SkinBuffers::SkinBuffers(const scene::World& world)
   }
   uploadBreath();
   glBindBuffer(GL_ARRAY_BUFFER, deformed_.get());
-  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(offsetOf(kDeformedArrays)), nullptr, GL_STREAM_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(arrayOffset(kDeformedArrays)), nullptr, GL_STREAM_DRAW);
   whole_ = uploaded(places, drawn_.triangles);
   if (drawn_.triangles.size() >= kManyTriangles) makeCoarse(places);
 }
 
-void SkinBuffers::setMapsOf(const scene::World& world) {
+void SkinBuffers::updateMaps(const scene::World& world) {
   world_ = &world;
   stiffness_.assign(world.surface.stiffness_n_per_mm->begin(), world.surface.stiffness_n_per_mm->end());
   half_major_.clear();
@@ -166,7 +166,7 @@ std::unique_ptr<SkinBuffers::Density> SkinBuffers::uploaded(std::span<const Vec3
   glBindVertexArray(density->vertex_array.get());
   fillBuffer<Triangle>(GL_ELEMENT_ARRAY_BUFFER, density->triangles.get(), triangles);
   for (int i = 0; i < kDeformedArrays; ++i) {
-    pointAt(static_cast<GLuint>(i), deformed_.get(), 1, GL_FLOAT, offsetOf(i));
+    pointAt(static_cast<GLuint>(i), deformed_.get(), 1, GL_FLOAT, arrayOffset(i));
   }
   pointAt(kRest, rest_.get(), 3, GL_FLOAT, 0);
   pointAt(kTint, tint_.get(), 4, GL_UNSIGNED_BYTE, 0);
@@ -182,7 +182,7 @@ std::unique_ptr<SkinBuffers::Density> SkinBuffers::uploaded(std::span<const Vec3
 void SkinBuffers::makeCoarse(const std::vector<Vec3f>& places) {
   const std::vector<Vec3f> normals = drawn_.withCopies<Vec3f>(restNormals(*world_->deformable));
   const DrawnShape whole{places, normals, drawn_.triangles};
-  coarse_ = uploaded(places, coarserTriangles(whole, whatStays(*world_, drawn_), kCoarseCellMm));
+  coarse_ = uploaded(places, coarserTriangles(whole, requiredVertices(*world_, drawn_), kCoarseCellMm));
 }
 
 SkinBuffers::Density& SkinBuffers::densityFor(const Viewpoint& viewpoint) {
@@ -199,8 +199,8 @@ const SplitRuns& SkinBuffers::bind(const Viewpoint& viewpoint, std::span<const I
 void SkinBuffers::upload(const deform::DeformedSurface& surface, deform::VertexRange range) {
   const deform::VertexRange copies = drawn_.copiesIn(range);
   for (int i = 0; i < kDeformedArrays; ++i) {
-    const std::span<const float> values = streamOf(surface, i);
-    put(offsetOf(i) + range.first * sizeof(float), values.subspan(range.first, range.end - range.first));
+    const std::span<const float> values = surfaceArray(surface, i);
+    put(arrayOffset(i) + range.first * sizeof(float), values.subspan(range.first, range.end - range.first));
     if (copies.first != copies.end) uploadCopies(values, i, copies);
   }
 }
@@ -208,7 +208,7 @@ void SkinBuffers::upload(const deform::DeformedSurface& surface, deform::VertexR
 void SkinBuffers::uploadCopies(std::span<const float> values, int array, deform::VertexRange copies) {
   copies_.clear();
   for (Index copy = copies.first; copy < copies.end; ++copy) copies_.push_back(values[drawn_.copied[copy]]);
-  put(offsetOf(array) + (std::size_t{drawn_.of_skin} + copies.first) * sizeof(float), copies_);
+  put(arrayOffset(array) + (std::size_t{drawn_.of_skin} + copies.first) * sizeof(float), copies_);
 }
 
 Index SkinBuffers::update(const deform::DeformedSurface& surface) {
@@ -256,11 +256,11 @@ void SkinBuffers::showField(const Look& look) {
 void SkinBuffers::bindEdges() {
   glBindVertexArray(edge_array_.get());
   if (edge_indices_ != 0) return;
-  const std::vector<Index> ends = edgesOf(*world_->deformable);
+  const std::vector<Index> ends = listEdgeEnds(*world_->deformable);
   edge_indices_ = static_cast<Index>(ends.size());
   fillBuffer<Index>(GL_ELEMENT_ARRAY_BUFFER, edges_.get(), ends);
   for (int axis = 0; axis < 3; ++axis) {
-    pointAt(static_cast<GLuint>(axis), deformed_.get(), 1, GL_FLOAT, offsetOf(axis));
+    pointAt(static_cast<GLuint>(axis), deformed_.get(), 1, GL_FLOAT, arrayOffset(axis));
   }
   pointAt(kBreath, breath_.get(), 1, GL_FLOAT, 0);
 }

@@ -67,7 +67,7 @@ void append(std::vector<IndexRun>& runs, Index first, Index count) {
 /// A cube, and which way the skin faces in it, so that the two sides of a thin part stay apart.
 using Cell = std::array<int, 4>;
 
-Cell cellOf(const DrawnShape& shape, Index v, float cell_mm) {
+Cell vertexCell(const DrawnShape& shape, Index v, float cell_mm) {
   const Vec3f cell = (shape.places[v] / cell_mm).array().floor();
   const Vec3f normal = shape.normals[v];
   const int octant = (normal.x() > 0.0f ? 1 : 0) + (normal.y() > 0.0f ? 2 : 0) + (normal.z() > 0.0f ? 4 : 0);
@@ -84,28 +84,28 @@ struct CellMember {
 };
 
 /// All vertices by their cells, in each the nearest to its middle first.
-std::vector<CellMember> membersOf(const DrawnShape& shape, float cell_mm) {
+std::vector<CellMember> groupByCell(const DrawnShape& shape, float cell_mm) {
   std::vector<CellMember> members;
   members.reserve(shape.places.size());
   for (Index v = 0; v < shape.places.size(); ++v) {
     const Vec3f place = shape.places[v] / cell_mm;
     const Vec3f middle = place.array().floor() + 0.5f;
-    members.push_back({cellOf(shape, v, cell_mm), (place - middle).squaredNorm(), v});
+    members.push_back({vertexCell(shape, v, cell_mm), (place - middle).squaredNorm(), v});
   }
   std::sort(members.begin(), members.end());
   return members;
 }
 
 /// The representative of each vertex: the nearest to the middle of its cell, or itself when it stays.
-std::vector<Index> keptVertices(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm) {
-  const std::vector<CellMember> members = membersOf(shape, cell_mm);
+std::vector<Index> keptVertices(const DrawnShape& shape, std::span<const Required> stays, float cell_mm) {
+  const std::vector<CellMember> members = groupByCell(shape, cell_mm);
   std::vector<Index> kept(shape.places.size());
   for (auto first = members.begin(); first != members.end();) {
     const auto end = std::find_if(first, members.end(), [&](const CellMember& m) { return m.cell != first->cell; });
-    const bool all = std::any_of(first, end, [&](const CellMember& m) { return stays[m.vertex] == Stays::cell; });
+    const bool all = std::any_of(first, end, [&](const CellMember& m) { return stays[m.vertex] == Required::cell; });
     const Index keeper = first->vertex;
     for (; first != end; ++first) {
-      kept[first->vertex] = all || stays[first->vertex] == Stays::vertex ? first->vertex : keeper;
+      kept[first->vertex] = all || stays[first->vertex] == Required::vertex ? first->vertex : keeper;
     }
   }
   return kept;
@@ -122,7 +122,7 @@ bool facesOut(const DrawnShape& shape, const Triangle& t) {
 
 }  // namespace
 
-std::vector<Triangle> coarserTriangles(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm) {
+std::vector<Triangle> coarserTriangles(const DrawnShape& shape, std::span<const Required> stays, float cell_mm) {
   const std::vector<Index> kept = keptVertices(shape, stays, cell_mm);
   std::vector<Triangle> triangles;
   for (const Triangle& t : shape.triangles) {
@@ -173,7 +173,7 @@ struct SkinChunks::Question {
   }
 };
 
-void SkinChunks::take(std::vector<IndexRun>& runs, std::size_t first_chunk, std::size_t end_chunk) {
+void SkinChunks::appendChunks(std::vector<IndexRun>& runs, std::size_t first_chunk, std::size_t end_chunk) {
   const auto first = static_cast<Index>(first_chunk) * kChunkIndices;
   append(runs, first, std::min(static_cast<Index>(end_chunk) * kChunkIndices, indices_) - first);
 }
@@ -184,14 +184,14 @@ void SkinChunks::visit(const Question& question, std::size_t level, std::size_t 
   const float inside = question.cull ? insideBy(question.planes, sphere.centre) : sphere.radius_mm;
   if (!(inside > -(sphere.radius_mm + kMaxDisplacementMm))) return;
   const bool touched = question.touches(sphere);
-  if (level == 0) return take(touched ? runs_.touched : runs_.plain, node, node + 1);
+  if (level == 0) return appendChunks(touched ? runs_.touched : runs_.plain, node, node + 1);
   std::size_t first = node, end = node + 1;
   if (!touched && inside > sphere.radius_mm - kMaxDisplacementMm) {  // nor is any chunk in it, and all are seen
     for (std::size_t i = 0; i < level; ++i) {
       first *= kCellParts;
       end *= kCellParts;
     }
-    return take(runs_.plain, first, std::min(end, levels_[0].size()));
+    return appendChunks(runs_.plain, first, std::min(end, levels_[0].size()));
   }
   end = std::min(kCellParts * end, levels_[level - 1].size());
   for (std::size_t part = kCellParts * first; part < end; ++part) visit(question, level - 1, part);

@@ -43,12 +43,12 @@ struct DrawnShape {
 };
 
 /// Vertices that a coarser set must keep.
-enum class Stays : std::uint8_t { no, vertex, cell };  // cell: and all that share a cube with it
+enum class Required : std::uint8_t { no, vertex, cell };  // cell: and all that share a cube with it
 
 /// Fewer triangles over some of the same vertices, for a skin that is seen so small that several triangles share a
 /// pixel: each cube of `cell_mm` keeps one vertex, and those that must stay. They deform with it. `stays` has one entry
 /// per vertex. Triangles keep the shape's order.
-std::vector<Triangle> coarserTriangles(const DrawnShape& shape, std::span<const Stays> stays, float cell_mm);
+std::vector<Triangle> coarserTriangles(const DrawnShape& shape, std::span<const Required> stays, float cell_mm);
 
 class SkinChunks {
  public:
@@ -68,7 +68,7 @@ class SkinChunks {
   struct Question;
 
   void visit(const Question& question, std::size_t level, std::size_t node);
-  void take(std::vector<IndexRun>& runs, std::size_t first_chunk, std::size_t end_chunk);
+  void appendChunks(std::vector<IndexRun>& runs, std::size_t first_chunk, std::size_t end_chunk);
 
   std::vector<std::vector<Sphere>> levels_;  // the chunks, then cells of eight of the level before
   Index indices_ = 0;

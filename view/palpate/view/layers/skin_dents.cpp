@@ -21,7 +21,7 @@ constexpr double kStillAlong = 0.9;
 
 /// The direction nearest to a press's normal along which no drag moves anything: its own above all, which over a curved
 /// body has a share of the normal too, then those of the other fingers.
-Vec3 wayOf(const deform::Contact& press, std::span<const deform::Contact> all) {
+Vec3 dentDirection(const deform::Contact& press, std::span<const deform::Contact> all) {
   const Vec3 normal = press.normal.normalized();
   Vec3 way = normal;
   Vec3 own = Vec3::Zero();
@@ -49,7 +49,7 @@ SkinDent dentOf(const deform::Contact& press, const Vec3& place, const Vec3& way
 
 }  // namespace
 
-std::vector<SkinDent> dentsOf(std::span<const FingerMark> fingers, const scene::World& world, double lift_mm) {
+std::vector<SkinDent> collectDents(std::span<const FingerMark> fingers, const scene::World& world, double lift_mm) {
   std::vector<deform::Contact> presses;
   std::vector<double> radii_mm;
   for (const FingerMark& finger : fingers) {
@@ -63,7 +63,8 @@ std::vector<SkinDent> dentsOf(std::span<const FingerMark> fingers, const scene::
   for (std::size_t i = 0; i < presses.size(); ++i) {
     const Vec3& anchor = presses[i].anchor;
     const Vec3 place = world.breath ? world.breath->rest(anchor, lift_mm) : anchor;
-    dents.push_back(dentOf(presses[i], place - world.deformable->origin, wayOf(presses[i], presses), radii_mm[i]));
+    dents.push_back(
+        dentOf(presses[i], place - world.deformable->origin, dentDirection(presses[i], presses), radii_mm[i]));
   }
   return dents;
 }

@@ -28,6 +28,6 @@ struct SkinDent {
 };
 
 /// The dents of pressing fingers, and those that relaxing skin keeps from earlier ones. Some 20 us per finger.
-std::vector<SkinDent> dentsOf(std::span<const FingerMark> fingers, const scene::World& world, double lift_mm);
+std::vector<SkinDent> collectDents(std::span<const FingerMark> fingers, const scene::World& world, double lift_mm);
 
 }  // namespace palpate::view

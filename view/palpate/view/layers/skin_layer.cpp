@@ -38,7 +38,7 @@ void SkinLayer::setWorld(const scene::World& world) {
   closed_ = world.body->closed;
 }
 
-SkinNeeds SkinLayer::needsOf(const Look& look, const Viewpoint& viewpoint) const {
+SkinNeeds SkinLayer::shaderNeeds(const Look& look, const Viewpoint& viewpoint) const {
   const bool pores =
       look.detail && look.shading == Shading::skin && viewpoint.pixelsPerMm(buffers_->box()) > kFewestPixelsPerMm;
   const bool picture = look.texture && picture_.isThere();
@@ -47,7 +47,7 @@ SkinNeeds SkinLayer::needsOf(const Look& look, const Viewpoint& viewpoint) const
 
 void SkinLayer::drawColours(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch,
                             const SplitRuns& runs) {
-  const SkinNeeds needs = needsOf(look, viewpoint);
+  const SkinNeeds needs = shaderNeeds(look, viewpoint);
   if (buffers_->hasField(look)) {
     buffers_->showField(look);
     paint_.useField(look, viewpoint);
@@ -64,7 +64,7 @@ void SkinLayer::draw(const Look& look, const Viewpoint& viewpoint, const SkinTou
   if (!(look.skin_opacity > 0.0)) return;
   const bool transparent = look.skin_opacity < 1.0;
   const bool lit = !buffers_->hasField(look);
-  const auto influences = lit ? influencesOf(touch, viewpoint.lights) : std::vector<Influence>();
+  const auto influences = lit ? collectInfluences(touch, viewpoint.lights) : std::vector<Influence>();
   const SplitRuns& runs = buffers_->bind(viewpoint, influences, look.cull);
   glEnable(GL_DEPTH_TEST);
   // A closed skin hides its inside; an open sheet may be looked at from within.

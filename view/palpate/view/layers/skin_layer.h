@@ -25,7 +25,7 @@ class SkinBuffers {
   explicit SkinBuffers(const scene::World& world);
 
   /// Switches to a world with the same body: only its maps are new.
-  void setMapsOf(const scene::World& world);
+  void updateMaps(const scene::World& world);
 
   /// Uploads the ranges that the last apply changed; returns the number of vertices.
   Index update(const deform::DeformedSurface& surface);
@@ -67,7 +67,7 @@ class SkinBuffers {
   void makeCoarse(const std::vector<Vec3f>& places);
   Density& densityFor(const Viewpoint& viewpoint);
   /// Offset of an array of the deformation in its buffer, bytes.
-  std::size_t offsetOf(int array) const { return std::size_t{drawn_.count()} * sizeof(float) * array; }
+  std::size_t arrayOffset(int array) const { return std::size_t{drawn_.count()} * sizeof(float) * array; }
   void upload(const deform::DeformedSurface& surface, deform::VertexRange range);
   void uploadCopies(std::span<const float> values, int array, deform::VertexRange copies);
 
@@ -94,7 +94,7 @@ class SkinLayer {
   /// that cannot be shown, and then still shows the world before.
   void setWorld(const scene::World& world);
   /// The same for a world with the same body.
-  void setMapsOf(const scene::World& world) { buffers_->setMapsOf(world); }
+  void updateMaps(const scene::World& world) { buffers_->updateMaps(world); }
   /// The buffers of the world that is shown.
   SkinBuffers& buffers() { return *buffers_; }
 
@@ -102,7 +102,7 @@ class SkinLayer {
   void draw(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch);
 
  private:
-  SkinNeeds needsOf(const Look& look, const Viewpoint& viewpoint) const;
+  SkinNeeds shaderNeeds(const Look& look, const Viewpoint& viewpoint) const;
   void drawColours(const Look& look, const Viewpoint& viewpoint, const SkinTouch& touch, const SplitRuns& runs);
 
   SkinPaint paint_;

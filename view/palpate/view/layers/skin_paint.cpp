@@ -45,7 +45,7 @@ Program program(std::string_view name, std::string_view vertex, std::string_view
 }
 
 /// One variant per need: software GL runs both sides of a condition, and a loop at least once.
-std::string definesOf(const SkinNeeds& needs, bool touched) {
+std::string shaderDefines(const SkinNeeds& needs, bool touched) {
   std::string defines;
   if (needs.pores) defines += "#define PORES\n";
   if (needs.picture) defines += "#define PICTURE\n";
@@ -57,13 +57,13 @@ std::string definesOf(const SkinNeeds& needs, bool touched) {
 void start(const Program& program, const Look& look, const Viewpoint& viewpoint, const SkinNeeds& needs = {}) {
   program.use();
   setViewpoint(program, viewpoint);
-  const SkinTone tone = skinToneOf(look.skin_tone);
+  const SkinTone tone = interpolateSkinTone(look.skin_tone);
   program.set("skin_colour", tone.colour);
   program.set("skin_blood", tone.blood);
   program.set("skin_scatter", tone.scatter);
   program.set("skin_sheen", tone.sheen);
   program.set("dent_contrast", static_cast<float>(look.dent_contrast));
-  program.set("mm_a_point", viewpoint.pixels_per_point / viewpoint.pixels_per_radian);
+  program.set("mm_per_point", viewpoint.pixels_per_point / viewpoint.pixels_per_radian);
   program.set("least_help_mm", static_cast<float>(kLeastHelpMm));
   program.set("full_help_mm", static_cast<float>(kFullHelpMm));
   program.set("skin_opacity", static_cast<float>(std::min(1.0, look.skin_opacity)));
@@ -123,7 +123,7 @@ void setDents(const Program& program, std::span<const SkinDent> dents) {
 
 }  // namespace
 
-std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights) {
+std::vector<Influence> collectInfluences(const SkinTouch& touch, const Lights& lights) {
   std::vector<Influence> influences;
   for (const ShadowCaster& caster : touch.casters) {
     influences.push_back({caster.from, caster.to, kShadeRadii * caster.radius_mm});
@@ -150,7 +150,7 @@ void SkinPaint::useDepth(const Viewpoint& viewpoint) const {
 
 const Program& SkinPaint::gouraudProgram(const SkinNeeds& needs, bool touched) {
   std::optional<Program>& variant = gouraud_[(touched ? 1 : 0) + (needs.picture ? 2 : 0) + (needs.colours ? 4 : 0)];
-  if (!variant) variant.emplace(program("gouraud", kGouraudVertex, kGouraudFragment, definesOf(needs, touched)));
+  if (!variant) variant.emplace(program("gouraud", kGouraudVertex, kGouraudFragment, shaderDefines(needs, touched)));
   return *variant;
 }
 
@@ -177,7 +177,7 @@ void SkinPaint::useField(const Look& look, const Viewpoint& viewpoint) {
 const Program& SkinPaint::skinProgram(const SkinNeeds& needs, bool touched) {
   std::optional<Program>& variant =
       skin_[(needs.pores ? 1 : 0) + (touched ? 2 : 0) + (needs.picture ? 4 : 0) + (needs.colours ? 8 : 0)];
-  if (!variant) variant.emplace(program("skin", kSkinVertex, kSkinFragment, definesOf(needs, touched)));
+  if (!variant) variant.emplace(program("skin", kSkinVertex, kSkinFragment, shaderDefines(needs, touched)));
   return *variant;
 }
 

@@ -77,7 +77,7 @@ struct SkinTouch {
 };
 
 /// The regions of that change: near a finger, in its shadow, where it pressed.
-std::vector<Influence> influencesOf(const SkinTouch& touch, const Lights& lights);
+std::vector<Influence> collectInfluences(const SkinTouch& touch, const Lights& lights);
 
 /// Options of the skin's programs for a picture.
 struct SkinNeeds {

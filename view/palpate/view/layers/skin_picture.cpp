@@ -35,7 +35,7 @@ void upload(GLuint name, Image image) {
 Image decodedPicture(const scene::SkinTexture& texture) {
   if (texture.made) return paintedSkin(*texture.made);
   const std::string file = texture.source.file.string();
-  const ImageSize size = imageSizeOf(texture.picture);
+  const ImageSize size = readImageSize(texture.picture);
   if (std::max(size.width, size.height) > kMaxPictureSide) {
     scene::failForTexture(texture.source, fmt::format("{}: has {} x {} pixels; the most are {} along a side", file,
                                                       size.width, size.height, kMaxPictureSide));

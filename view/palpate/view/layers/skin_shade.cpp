@@ -26,7 +26,7 @@ struct Patch {
   float open = 1.0f;
 };
 
-int wayOf(const Vec3f& normal) {
+int dominantDirection(const Vec3f& normal) {
   int axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
   return 2 * axis + (normal[axis] < 0.0f ? 1 : 0);
@@ -87,7 +87,7 @@ class PatchGrid {
       if (!(area > 0.0f) || !std::isfinite(area)) continue;
       const Vec3f middle = (a + skin.restPosition(t[1]) + skin.restPosition(t[2])) / 3.0f;
       const Eigen::Vector3i cell = ((middle - low_) / cell_mm_).array().floor().cast<int>();
-      int& patch = patch_at_[indexOf(cell, wayOf(across))];
+      int& patch = patch_at_[indexOf(cell, dominantDirection(across))];
       if (patch < 0) {
         patch = static_cast<int>(patches_.size());
         patches_.emplace_back();

@@ -27,7 +27,7 @@ uniform float skin_blood;   // SkinTone
 uniform float skin_opacity;
 uniform float made_white;   // kMadeSkinWhite where the picture has factors on the skin's colour; 0: it has colours
 uniform float dent_contrast;  // 1: as it would be near by; above, what a dent does to normals and light is exaggerated
-uniform float mm_a_point;     // of the picture, 1 mm from the eye
+uniform float mm_per_point;     // of the picture, 1 mm from the eye
 uniform float least_help_mm, full_help_mm;  // kLeastHelpMm, kFullHelpMm
 
 vec3 placeHere() { return vec3(x, y, z + lift_mm * breath_share); }
@@ -53,7 +53,7 @@ vec2 dentHere() {
 }
 // What a dent needs to be seen: nothing near by, all of it where a dent of 40 mm is 50 points wide.
 float helpAt(vec3 place, vec2 dent) {
-  return dent.y * smoothstep(least_help_mm, full_help_mm, mm_a_point * dot(eye - place, backward));
+  return dent.y * smoothstep(least_help_mm, full_help_mm, mm_per_point * dot(eye - place, backward));
 }
 float contrastAt(vec3 place, vec2 dent) { return dent_contrast * (1.0 + 1.2 * helpAt(place, dent)); }
 // The share of light that the walls of a dent leave.
@@ -127,13 +127,13 @@ void main() {
   contour = vec2(sunk.x, helpAt(place, sunk) * min(dent_contrast, 1.0));
 #endif
   vec3 to_eye = normalize(eye - place);
-  vec3 wrap = wrapOf(tint.a, skin_scatter);
+  vec3 wrap = wrapAmount(tint.a, skin_scatter);
   float facing = dot(normal, to_eye);
   float slant = 1.0 - saturate(facing);
   float dent = lightLeftByDent(contrast, sunk);
   vec3 light = skinLight(normal, wrap, dent, dent) + rim_light * (0.5 * slant * slant * slant);
   vec3 light_behind = skinLight(-normal, wrap, 0.5, 0.5) * 0.5;
-  float shine = skin_sheen * dent * sheenOf(normal, to_key, to_eye, 0.60, 0.50);
+  float shine = skin_sheen * dent * specularGloss(normal, to_key, to_eye, 0.60, 0.50);
   front.a = opacityAt(abs(facing), skin_opacity);
 #ifdef PICTURE
   vec3 under = made_white > 0.0 ? made_white * albedoHere() : vec3(1.0);
@@ -344,10 +344,10 @@ vec2 spotAt(vec3 p, float least, float most) {
 }
 
 // How much of a net is seen: its cells must be some pixels wide, else it shimmers or looks like the peel of an orange.
-float seenOf(float mm_a_pixel, float per_mm) { return 1.0 - smoothstep(0.11, 0.24, mm_a_pixel * per_mm); }
+float visibleShare(float mm_per_pixel, float per_mm) { return 1.0 - smoothstep(0.11, 0.24, mm_per_pixel * per_mm); }
 
 // Slope (xyz) and height below the ridges (w, 0 to 1 in the furrow).
-vec4 furrowsOf(vec4 noise) {
+vec4 furrowRelief(vec4 noise) {
   float side = noise.w - 0.5;
   float within = saturate(1.0 - abs(side) * 7.0);
   return vec4(noise.xyz * (sign(side) * within), within * within);
@@ -381,22 +381,22 @@ void main() {
 #ifdef PORES
   {
     vec3 across = fwidth(rest);
-    float mm_a_pixel = max(across.x, max(across.y, across.z));
-    float seen = seenOf(mm_a_pixel, lines_per_mm);
-    vec4 one = furrowsOf(noiseAt(one_way * rest));
-    vec4 other = furrowsOf(noiseAt(other_way * rest + 17.3));
+    float mm_per_pixel = max(across.x, max(across.y, across.z));
+    float seen = visibleShare(mm_per_pixel, lines_per_mm);
+    vec4 one = furrowRelief(noiseAt(one_way * rest));
+    vec4 other = furrowRelief(noiseAt(other_way * rest + 17.3));
     vec3 slope = 0.11 * seen * (one.xyz * one_way + other.xyz * other_way);
     slope -= smooth_normal * dot(slope, smooth_normal);
     detailed = normalize(smooth_normal - slope);
     float blotch = noiseAt(blotches_per_mm * rest).w - 0.5;
     skin *= 1.0 - 0.06 * seen * max(one.w, other.w);
-    skin *= vec3(1.0) + vec3(0.06, 0.13, 0.12) * (blotch * seenOf(mm_a_pixel, 2.0 * blotches_per_mm));
+    skin *= vec3(1.0) + vec3(0.06, 0.13, 0.12) * (blotch * visibleShare(mm_per_pixel, 2.0 * blotches_per_mm));
     // Pigment in spots shows on light skin; in dark skin there is as much of it everywhere.
     vec2 freckle = spotAt(freckle_cells * rest, 0.06, 0.24);
     float pigment = freckle.x * (0.25 + 0.45 * freckle.y * freckle.y) * (0.3 + 0.7 * skin_scatter * skin_scatter);
-    skin *= 1.0 - vec3(0.45, 0.68, 0.85) * (pigment * seenOf(mm_a_pixel, 0.65));
+    skin *= 1.0 - vec3(0.45, 0.68, 0.85) * (pigment * visibleShare(mm_per_pixel, 0.65));
     float pore = spotAt(pore_cells * rest, 0.12, 0.26).x;
-    skin *= 1.0 - vec3(0.13, 0.19, 0.20) * (pore * seenOf(mm_a_pixel, pores_per_mm));
+    skin *= 1.0 - vec3(0.13, 0.19, 0.20) * (pore * visibleShare(mm_per_pixel, pores_per_mm));
     narrow -= 0.06 * seen;
   }
 #endif
@@ -411,10 +411,10 @@ void main() {
   float slant3 = slant * slant * slant;
   // Light that went under the skin knows no fine relief: half of it is taken by the smooth normal.
   vec3 half_smooth = normalize(smooth_normal + detailed);
-  vec3 light = skinLight(half_smooth, wrapOf(albedo.a, skin_scatter), left.y * dent, left.x * dent);
+  vec3 light = skinLight(half_smooth, wrapAmount(albedo.a, skin_scatter), left.y * dent, left.x * dent);
   // At the edge thin skin lets light through, and the light behind the body is seen in its down.
   light += (vec3(0.16, 0.07, 0.05) * skin_scatter + rim_light * (0.5 + 0.5 * smooth_normal.y)) * (slant3 * left.x);
-  float gloss_of_key = sheenOf(detailed, to_key, to_eye, broad, narrow);
+  float gloss_of_key = specularGloss(detailed, to_key, to_eye, broad, narrow);
   float gloss_of_sky = 0.015 + 0.10 * slant3 * slant;
   vec3 seen_colour = skin * light + key_light * (left.y * dent * skin_sheen * gloss_of_key) +
                      ambientFrom(reflect(-to_eye, detailed)) * (left.x * dent * skin_sheen * gloss_of_sky);

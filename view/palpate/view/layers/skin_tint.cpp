@@ -83,7 +83,7 @@ double tanAt(double up) {
   return 0.17 * rise(0.35, 1.1, up) - 0.09 * (1.0 - rise(-0.32, 0.02, up));
 }
 
-std::uint8_t byteOf(double value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); }
+std::uint8_t toByte(double value) { return static_cast<std::uint8_t>(std::clamp(value + 0.5, 0.0, 255.0)); }
 
 TintBytes tintAt(const scene::World& world, Index vertex, double open, double tan) {
   const Vec3 place = world.body->skin.positions[vertex] - world.deformable->origin;
@@ -97,10 +97,10 @@ TintBytes tintAt(const scene::World& world, Index vertex, double open, double ta
   const double blue = light * (1.0 - 0.8 * kMottling * blood + 0.05 * bone.thin);
   // Light reflected to and fro in a fold has become redder.
   const double shade = (1.0 - kShade * (1.0 - open)) * leftInCrease(hollowAt(*world.deformable, vertex));
-  return {byteOf(kTintUnit * red * std::pow(shade, 0.8) * std::exp(-0.60 * tan)),
-          byteOf(kTintUnit * green * std::pow(shade, 1.1) * std::exp(-0.95 * tan)),
-          byteOf(kTintUnit * blue * std::pow(shade, 1.2) * std::exp(-1.45 * tan)),
-          byteOf(255.0 * curvatureAt(*world.deformable, vertex))};
+  return {toByte(kTintUnit * red * std::pow(shade, 0.8) * std::exp(-0.60 * tan)),
+          toByte(kTintUnit * green * std::pow(shade, 1.1) * std::exp(-0.95 * tan)),
+          toByte(kTintUnit * blue * std::pow(shade, 1.2) * std::exp(-1.45 * tan)),
+          toByte(255.0 * curvatureAt(*world.deformable, vertex))};
 }
 
 /// Heights of T1 and L4, between which the sun is computed: for a body that has them and no picture with a sun of its

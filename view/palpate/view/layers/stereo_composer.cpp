@@ -110,7 +110,7 @@ void StereoComposer::copy(const StereoSettings& settings, GLuint framebuffer, in
   glClear(GL_COLOR_BUFFER_BIT);
   for (const Eye eye : {Eye::left, Eye::right}) {
     if (two_buffers) glDrawBuffer((eye == Eye::left) != settings.swap_eyes ? GL_BACK_LEFT : GL_BACK_RIGHT);
-    copyTo(eye == Eye::left ? *left_ : *right_, framebuffer, cornerOf(eye, settings, width, height));
+    copyTo(eye == Eye::left ? *left_ : *right_, framebuffer, pictureCorner(eye, settings, width, height));
   }
   if (two_buffers) glDrawBuffer(GL_BACK);
 }

@@ -34,7 +34,7 @@ const vec3 padding = vec3(0.118, 0.148, 0.165);
 void main() {
   vec3 n = normalize(normal);
   vec3 light = padding * skinLight(n, vec3(0.15), mix(0.35, 1.0, sky), mix(0.15, 1.0, sky));
-  light += key_light * (0.5 * sky * sheenOf(n, to_key, normalize(eye - place), 0.62, 0.5));
+  light += key_light * (0.5 * sky * specularGloss(n, to_key, normalize(eye - place), 0.62, 0.5));
   colour = vec4(encoded(toned(light)), opacity);
 }
 )";

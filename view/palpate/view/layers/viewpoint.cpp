@@ -25,7 +25,7 @@ Lights lightsFor(const Frustum& frustum) {
   return {axes * kKeyLight, axes * kFillLight};
 }
 
-Viewpoint viewpointOf(const Frustum& frustum, int width, int height, const Vec3& origin) {
+Viewpoint makeViewpoint(const Frustum& frustum, int width, int height, const Vec3& origin) {
   Viewpoint viewpoint;
   viewpoint.origin = origin;
   viewpoint.clip = frustum.clipFrom(origin);

@@ -1,7 +1,7 @@
 // Inputs of every shader about the eye: where it is, what it sees, where the light comes from, and the way from light
 // to a pixel's value.
 //
-//   Frustum ─ viewpointOf ─► Viewpoint ─ setViewpoint ─► the uniforms of kSharedShader, once per layer
+//   Frustum ─ makeViewpoint ─► Viewpoint ─ setViewpoint ─► the uniforms of kSharedShader, once per layer
 //
 // Based on: Narkowicz, "ACES filmic tone mapping curve", 2015; Kelemen and Szirmay-Kalos, "A microfacet based coupled
 // specular-matte BRDF model with importance sampling", 2001 (the visibility of the gloss).
@@ -45,7 +45,7 @@ struct Viewpoint {
   float pixelsPerMm(const Eigen::AlignedBox3f& box) const { return pixels_per_radian / box.exteriorDistance(eye); }
 };
 
-Viewpoint viewpointOf(const Frustum& frustum, int width, int height, const Vec3& origin = Vec3::Zero());
+Viewpoint makeViewpoint(const Frustum& frustum, int width, int height, const Vec3& origin = Vec3::Zero());
 
 /// GLSL that every shader starts with. Lengths in mm, places from Viewpoint::origin, colours linear unless their name
 /// says encoded.
@@ -98,7 +98,7 @@ vec3 wrapped(float cosine, vec3 wrap) {
 }
 
 // How far, by the share of a fingertip's curvature and by how much the tone lets through.
-vec3 wrapOf(float curvature, float scatter) {
+vec3 wrapAmount(float curvature, float scatter) {
   return vec3(0.08) + vec3(0.48, 0.14, 0.06) * (scatter * (0.45 + 0.55 * curvature));
 }
 
@@ -109,7 +109,7 @@ vec3 skinLight(vec3 normal, vec3 wrap, float key_left, float sky_left) {
 }
 
 // The gloss of skin without the colour of the light: a broad lobe and a faint narrow one (GGX), weak face on.
-float sheenOf(vec3 normal, vec3 to_light, vec3 to_eye, float broad, float narrow) {
+float specularGloss(vec3 normal, vec3 to_light, vec3 to_eye, float broad, float narrow) {
   vec3 half_way = normalize(to_light + to_eye);
   float nh = saturate(dot(normal, half_way));
   float lh = saturate(dot(to_light, half_way));

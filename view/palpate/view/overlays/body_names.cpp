@@ -21,19 +21,19 @@ constexpr double kFarthestFromSkinMm = 25.0;
 constexpr double kMinFacing = 0.12;
 constexpr double kAboveSkinMm = 1.0;
 
-NameKind nameKindOf(std::string_view landmark) {
+NameKind classifyName(std::string_view landmark) {
   if (landmark.starts_with("spinous_") || landmark.starts_with("sacrum_") || landmark == "coccyx_tip")
     return NameKind::spine;
   const bool rib = landmark.starts_with("rib_") || landmark.starts_with("costochondral_");
   return rib ? NameKind::rib : NameKind::girdle;
 }
 
-std::array<Vec3, 3> restCornersOf(const scene::World& world, Index triangle) {
+std::array<Vec3, 3> restCorners(const scene::World& world, Index triangle) {
   const Triangle& t = world.body->skin.triangles[triangle];
   return {world.body->skin.positions[t[0]], world.body->skin.positions[t[1]], world.body->skin.positions[t[2]]};
 }
 
-Vec3 restNormalOf(const std::array<Vec3, 3>& corners) {
+Vec3 restTriangleNormal(const std::array<Vec3, 3>& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
 }
 
@@ -41,7 +41,7 @@ Vec3 restNormalOf(const std::array<Vec3, 3>& corners) {
 
 BodyName nameAt(const scene::World& world, std::string words, NameKind kind, const SkinPlace& place) {
   return {std::move(words), kind, place.triangle,
-          tree::barycentricWeights(restCornersOf(world, place.triangle), place.point)};
+          tree::barycentricWeights(restCorners(world, place.triangle), place.point)};
 }
 
 std::vector<BodyName> bodyNames(const scene::World& world) {
@@ -50,7 +50,7 @@ std::vector<BodyName> bodyNames(const scene::World& world) {
   for (const body::SkinLandmark& mark : landmarks) {
     const SkinPlace place = nearestOnSkin(world, mark.position);
     if ((place.point - mark.position).norm() > kFarthestFromSkinMm) continue;
-    names.push_back(nameAt(world, placeInLanguage(body::spokenName(mark.name)), nameKindOf(mark.name), place));
+    names.push_back(nameAt(world, placeInLanguage(body::spokenName(mark.name)), classifyName(mark.name), place));
   }
   const std::vector<std::string> all = body::placeNames(landmarks);
   for (std::size_t site = landmarks.size(); site < all.size(); ++site) {  // they follow the landmarks
@@ -71,9 +71,9 @@ Vec3 placeOf(const BodyName& name, const scene::World& world, const deform::Defo
 std::vector<const BodyName*> namesSeen(std::span<const BodyName> names, const scene::World& world, const Vec3& eye) {
   std::vector<const BodyName*> seen;
   for (const BodyName& name : names) {
-    const auto corners = restCornersOf(world, name.triangle);
+    const auto corners = restCorners(world, name.triangle);
     const Vec3 place = name.shares[0] * corners[0] + name.shares[1] * corners[1] + name.shares[2] * corners[2];
-    const Vec3 normal = restNormalOf(corners);
+    const Vec3 normal = restTriangleNormal(corners);
     if (!(normal.dot((eye - place).normalized()) > kMinFacing)) continue;
     const auto skin = tree::firstFrontCrossing(world.surface.geometry->tree, eye, place + kAboveSkinMm * normal);
     if (skin.triangle == kNoIndex) seen.push_back(&name);

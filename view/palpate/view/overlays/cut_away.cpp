@@ -20,9 +20,9 @@ namespace {
 /// A lump whose foot is nearer to the finger than this is under it, mm: the plane need not be turned.
 constexpr double kUnderFingerMm = 2.0;
 
-Vec3 footOf(const scene::World& world, std::size_t lump, std::span<const FingerMark> fingers) {
+Vec3 lumpFoot(const scene::World& world, std::size_t lump, std::span<const FingerMark> fingers) {
   const contact::Lump& placed = world.lumps[lump]->lump;
-  const Vec2 moved = movedOf(lump, fingers);
+  const Vec2 moved = lumpShift(lump, fingers);
   return placed.foot + moved.x() * placed.across + moved.y() * placed.up;
 }
 
@@ -31,7 +31,7 @@ std::optional<std::size_t> nearestLump(const scene::World& world, const Vec3& pl
   std::optional<std::size_t> nearest;
   double least_mm = kCutHalfWidthMm;
   for (std::size_t i = 0; i < world.lumps.size(); ++i) {
-    const double away_mm = (footOf(world, i, fingers) - place).norm();
+    const double away_mm = (lumpFoot(world, i, fingers) - place).norm();
     if (away_mm >= least_mm) continue;
     least_mm = away_mm;
     nearest = i;
@@ -42,7 +42,7 @@ std::optional<std::size_t> nearestLump(const scene::World& world, const Vec3& pl
 SectionPlane planeThrough(const scene::World& world, const FingerMark& finger, std::optional<std::size_t> lump,
                           std::span<const FingerMark> fingers) {
   SectionPlane plane = sectionPlane(world, finger.contact);
-  const Vec3 way = lump ? Vec3(footOf(world, *lump, fingers) - plane.origin) : Vec3(Vec3::Zero());
+  const Vec3 way = lump ? Vec3(lumpFoot(world, *lump, fingers) - plane.origin) : Vec3(Vec3::Zero());
   const Vec3 in_skin = way - way.dot(plane.upward) * plane.upward;
   if (in_skin.norm() >= kUnderFingerMm) plane.along = in_skin.normalized();
   // The right of the body, or its head, is at the right of the picture.
@@ -51,7 +51,7 @@ SectionPlane planeThrough(const scene::World& world, const FingerMark& finger, s
   return plane;
 }
 
-Vec2 inPlaneOf(const SectionPlane& plane, const Vec3& place) {
+Vec2 projectToPlane(const SectionPlane& plane, const Vec3& place) {
   const Vec3 from = place - plane.origin;
   return {from.dot(plane.along), from.dot(plane.upward)};
 }
@@ -89,8 +89,8 @@ double thicknessAt(const scene::World& world, const Vec3& place) {
   return scene::thicknessOverBone(*world.healthy, tree.records[nearest.triangle], nearest.closest.point);
 }
 
-std::vector<CutColumn> columnsOf(const scene::World& world, const scene::LumpGround* ground, const SectionPlane& plane,
-                                 std::span<const SectionPoint> curve) {
+std::vector<CutColumn> buildCutColumns(const scene::World& world, const scene::LumpGround* ground,
+                                       const SectionPlane& plane, std::span<const SectionPoint> curve) {
   std::vector<CutColumn> columns;
   for (std::size_t i = 0; i < curve.size(); ++i) {
     CutColumn column{.rest = curve[i].rest, .shift = curve[i].deformed - curve[i].rest};
@@ -106,13 +106,13 @@ std::vector<CutColumn> columnsOf(const scene::World& world, const scene::LumpGro
 }
 
 /// The lower border of layer `k`; of a stack with fewer layers its last one.
-double bottomOf(const tissue::LayerStack& stack, std::size_t k) {
+double layerBottomMm(const tissue::LayerStack& stack, std::size_t k) {
   double bottom_mm = 0.0;
   for (std::size_t i = 0; i <= k && i < stack.layers.size(); ++i) bottom_mm += stack.layers[i].thickness_mm;
   return bottom_mm;
 }
 
-std::vector<CutAway::Layer> layersOf(std::span<const CutColumn> columns, const CutColumn& over) {
+std::vector<CutAway::Layer> buildCutLayers(std::span<const CutColumn> columns, const CutColumn& over) {
   std::vector<CutAway::Layer> layers;
   const tissue::LayerStack& middle = over.stack;
   if (middle.layers.empty() && over.bone_mm > 0.0) {
@@ -121,7 +121,7 @@ std::vector<CutAway::Layer> layersOf(std::span<const CutColumn> columns, const C
   }
   for (std::size_t k = 0; k < middle.layers.size(); ++k) {
     CutAway::Layer layer{.name = middle.layers[k].name, .below = {}};
-    for (const CutColumn& column : columns) layer.below.push_back(column.at(bottomOf(column.stack, k)));
+    for (const CutColumn& column : columns) layer.below.push_back(column.at(layerBottomMm(column.stack, k)));
     layers.push_back(std::move(layer));
   }
   return layers;
@@ -143,7 +143,7 @@ CutAway::Lump lumpIn(const SectionPlane& plane, const scene::PlacedLump& placed,
   cut.moved_mm = moved.norm();
   cut.placed = ellipsoidIn(plane, rest, axes, lump.shape.half_axes_mm);
   cut.rim = ellipsoidIn(plane, now, axes, lump.shape.half_axes_mm);
-  cut.middle = inPlaneOf(plane, now);
+  cut.middle = projectToPlane(plane, now);
   const CutColumn& over = columnAt(columns, cut.middle.x());
   const double share = over.bone_mm > 0.0 ? std::max(0.0, 1.0 - lump.shape.centreMm() / over.bone_mm) : 1.0;
   for (Vec2& point : cut.rim) point += share * over.shift;
@@ -162,7 +162,8 @@ Vec2 restingOn(std::span<const Vec2> skin, Vec2 middle, double radius_mm) {
 }
 
 Vec2 tipIn(const CutAway& cut, const FingerMark& finger) {
-  const Vec2 middle = inPlaneOf(cut.plane, finger.contact.tip) + Vec2(0.0, finger.radius_mm - finger.haptic_radius_mm);
+  const Vec2 middle =
+      projectToPlane(cut.plane, finger.contact.tip) + Vec2(0.0, finger.radius_mm - finger.haptic_radius_mm);
   return finger.contact.touch == contact::Touch::free ? middle : restingOn(cut.skin, middle, finger.radius_mm);
 }
 
@@ -250,13 +251,13 @@ std::optional<CutAway> CutMaker::cut(std::span<const FingerMark> fingers,
     cut.rest.push_back(point.rest);
     cut.skin.push_back(point.deformed);
   }
-  const auto columns = columnsOf(world_, ground_ ? &*ground_ : nullptr, *plane, curve);
+  const auto columns = buildCutColumns(world_, ground_ ? &*ground_ : nullptr, *plane, curve);
   const CutColumn& middle = columnAt(columns, 0.0);
   cut.bone_mm = middle.bone_mm;
-  cut.layers = layersOf(columns, middle);
+  cut.layers = buildCutLayers(columns, middle);
   cut.nearest = nearestLump(world_, plane->origin, fingers);
   for (std::size_t i = 0; i < world_.lumps.size(); ++i) {
-    cut.lumps.push_back(lumpIn(*plane, *world_.lumps[i], movedOf(i, fingers), columns));
+    cut.lumps.push_back(lumpIn(*plane, *world_.lumps[i], lumpShift(i, fingers), columns));
   }
   cut.finger_mm = finger->radius_mm;
   cut.finger = tipIn(cut, *finger);

@@ -36,7 +36,7 @@ void drawTitle(Drawing& page, const std::string& title, const LabelInks& inks, T
 std::string lowWord(Colouring colouring) { return colouring == Colouring::strain ? tr("compression") : ""; }
 std::string highWord(Colouring colouring) { return colouring == Colouring::strain ? tr("tension") : ""; }
 
-Legend legendOf(const LabelScene& scene, const ColourScale& scale) {
+Legend makeLegend(const LabelScene& scene, const ColourScale& scale) {
   const Look& look = scene.look;
   Legend legend{.title = std::string(scale.title),
                 .unit = std::string(scale.unit),
@@ -53,7 +53,7 @@ Legend legendOf(const LabelScene& scene, const ColourScale& scale) {
 }
 
 void drawColours(Drawing& page, const LabelScene& scene, Taken& taken) {
-  const auto scale = scaleOf(scene.look, scene.world);
+  const auto scale = findColourScale(scene.look, scene.world);
   if (!scale) return;
   LegendPlace place;
   constexpr float kRoomForWords = 52.0f;
@@ -62,7 +62,7 @@ void drawColours(Drawing& page, const LabelScene& scene, Taken& taken) {
   const float free_height = page.size().y() - kMargin - kRoomForWords - kRoomBelow;
   place.size.y() = std::round(std::clamp(std::min(0.45f * page.size().y(), free_height), 60.0f, 260.0f));
   place.corner = {std::round(page.size().x() - kMargin - kRoomForNumbers - place.size.x()), kMargin + kRoomForWords};
-  drawLegend(page, legendOf(scene, *scale), place, inksFor(scene.look));
+  drawLegend(page, makeLegend(scene, *scale), place, inksFor(scene.look));
   constexpr float kRoomForMarks = 22.0f;  // the wedges at its left, and text wider than the bar
   constexpr float kRoomForLowWord = 34.0f;
   taken.push_back({{place.corner.x() - kRoomForMarks, 0.0f},
@@ -124,14 +124,14 @@ std::string nameOf(const LabelSettings& settings, std::size_t finger) {
 Vec2f placeOnPage(const Drawing& page, const Eyes& eyes, const Vec3& place) {
   constexpr double kNearMm = 1.0;
   constexpr double kFarMm = 1e5;
-  const Vec2 seen = seenAt(frustumOf(eyes.screen, eyes.middle, kNearMm, kFarMm), place);
+  const Vec2 seen = seenAt(makeFrustum(eyes.screen, eyes.middle, kNearMm, kFarMm), place);
   return seen.cast<float>().cwiseProduct(page.size());
 }
 
 /// Largest drawn depth of the skin, mm.
-double capOf(const scene::World& world) { return world.deformation.common.tissue.normal_cap_mm; }
+double maxDrawnDepthMm(const scene::World& world) { return world.deformation.common.tissue.normal_cap_mm; }
 
-Vec2f extentOf(const Drawing& page, const std::vector<std::string>& lines) {
+Vec2f measureLines(const Drawing& page, const std::vector<std::string>& lines) {
   Vec2f extent = Vec2f::Zero();
   for (const std::string& line : lines) {
     const Vec2f size = page.measure(line, TextSize::small);
@@ -145,7 +145,7 @@ void drawNumbers(Drawing& page, const Vec2f& tip, const FingerMark& finger, cons
                  const LabelInks& inks, Taken& taken) {
   constexpr float kPad = 6.0f;
   constexpr float kStripe = 3.0f;
-  const Vec2f size = extentOf(page, lines) + Vec2f(2.0f * kPad + kStripe, 2.0f * kPad);
+  const Vec2f size = measureLines(page, lines) + Vec2f(2.0f * kPad + kStripe, 2.0f * kPad);
   const Vec2f margin = Vec2f::Constant(kMargin);
   const LabelBox plate = placePlate(tip, size, {margin, page.size() - margin}, taken);
   taken.push_back(plate);
@@ -175,14 +175,14 @@ DrawnFinger drawnAs(FingerShape shape, double radius_mm) {
 }
 
 /// Registers its boxes on the page, never smaller than the end of a plate's line.
-void takeFinger(const Drawing& page, const LabelScene& scene, const FingerMark& finger, Taken& taken) {
+void reserveFingerBoxes(const Drawing& page, const LabelScene& scene, const FingerMark& finger, Taken& taken) {
   constexpr int kSteps = 5;
   constexpr float kLeast = 14.0f;
   if (scene.look.finger == FingerShape::none) return;
   const DrawnFinger drawn = drawnAs(scene.look.finger, finger.radius_mm);
   const bool touches = finger.contact.touch != contact::Touch::free;
   const Vec3 up = touches ? finger.contact.normal : scene.camera.backward();
-  const Vec3 backwards = std::sin(drawn.steep_rad) * up - std::cos(drawn.steep_rad) * headingOf(up, finger.left);
+  const Vec3 backwards = std::sin(drawn.steep_rad) * up - std::cos(drawn.steep_rad) * fingerHeading(up, finger.left);
   const double screen_mm = (scene.eyes.screen.upper_left - scene.eyes.screen.lower_left).norm();
   const double points_per_mm = static_cast<double>(page.size().y()) / screen_mm;
   for (int i = 0; i <= kSteps; ++i) {
@@ -199,13 +199,13 @@ void drawFingers(Drawing& page, const LabelScene& scene, const LabelSettings& se
   std::vector<Vec2f> tips;
   for (const FingerMark& finger : scene.frame.fingers) {
     tips.push_back(placeOnPage(page, scene.eyes, finger.contact.proxy));
-    takeFinger(page, scene, finger, taken);
+    reserveFingerBoxes(page, scene, finger, taken);
   }
   for (std::size_t i = 0; i < tips.size(); ++i) {
     const FingerMark& finger = scene.frame.fingers[i];
     const bool speaks = finger.contact.touch != contact::Touch::free || finger.lifted;
     if (!speaks || !tips[i].allFinite()) continue;
-    drawNumbers(page, tips[i], finger, fingerWords(scene.world, finger, nameOf(settings, i)), inksFor(scene.look),
+    drawNumbers(page, tips[i], finger, fingerLabelLines(scene.world, finger, nameOf(settings, i)), inksFor(scene.look),
                 taken);
   }
 }
@@ -232,12 +232,13 @@ bool hasDentContours(const Drawing& page, const LabelScene& scene) {
     return finger.contact.touch != contact::Touch::free && finger.contact.depth_mm > kOutermostContourMm;
   });
   if (!deep || scene.look.colouring != Colouring::plain || !(scene.look.dent_contrast > 0.0)) return false;
-  const double mm_a_point = 2.0 * std::tan(0.5 * scene.camera.height_rad) / page.size().y();
-  return std::ranges::any_of(dentsOf(scene.frame.fingers, scene.world, scene.frame.lift_mm), [&](const SkinDent& dent) {
-    const Vec3 place = scene.world.deformable->origin + dent.place.cast<double>();
-    const double away_mm = (scene.camera.eye() - place).dot(scene.camera.backward());
-    return dent.share > 0.5f && mm_a_point * away_mm > 0.5 * (kLeastHelpMm + kFullHelpMm);
-  });
+  const double mm_per_point = 2.0 * std::tan(0.5 * scene.camera.height_rad) / page.size().y();
+  return std::ranges::any_of(collectDents(scene.frame.fingers, scene.world, scene.frame.lift_mm),
+                             [&](const SkinDent& dent) {
+                               const Vec3 place = scene.world.deformable->origin + dent.place.cast<double>();
+                               const double away_mm = (scene.camera.eye() - place).dot(scene.camera.backward());
+                               return dent.share > 0.5f && mm_per_point * away_mm > 0.5 * (kLeastHelpMm + kFullHelpMm);
+                             });
 }
 
 /// The overlays that the look shows on this body: keys of missing ones would explain nothing.
@@ -259,7 +260,7 @@ void drawKey(Drawing& page, const LabelScene& scene, const LabelSettings& settin
   place.corner = {kMargin, kMargin + above};
   constexpr float kColours = 100.0f;  // the bar at the right
   const float chart = chartedFinger(scene, settings) != nullptr ? sectionSize(page).y() : 0.0f;
-  const float right = scaleOf(scene.look.colouring) ? kColours : kMargin;
+  const float right = findColourScale(scene.look.colouring) ? kColours : kMargin;
   place.room = page.size() - place.corner - Vec2f(right, kScaleBarHeight + chart);
   const LabelBox covered = drawOverlayKey(page, keyOf(page, scene), place, inksFor(scene.look));
   if (covered.opposite != covered.corner) taken.push_back(covered);
@@ -301,7 +302,7 @@ void drawCut(Drawing& page, const LabelScene& scene, const FingerMark* finger, f
   chart.size = sectionSize(page);
   chart.corner = {left, page.size().y() - chart.size.y() - kScaleBarHeight};
   chart.ends = sectionEnds(plane);
-  if (finger->contact.depth_mm > capOf(scene.world)) chart.cap_mm = capOf(scene.world);
+  if (finger->contact.depth_mm > maxDrawnDepthMm(scene.world)) chart.cap_mm = maxDrawnDepthMm(scene.world);
   drawSection(page, curve, chart, inksFor(scene.look));
   taken.push_back({chart.corner, chart.corner + chart.size});
   drawEnd(page, scene, onPlane(plane, curve.front().deformed), chart.ends.low, taken);
@@ -359,7 +360,8 @@ void drawBeneath(Drawing& page, const LabelScene& scene, const LabelSettings& se
 
 }  // namespace
 
-std::vector<std::string> fingerWords(const scene::World& world, const FingerMark& finger, const std::string& name) {
+std::vector<std::string> fingerLabelLines(const scene::World& world, const FingerMark& finger,
+                                          const std::string& name) {
   std::vector<std::string> lines;
   if (!name.empty()) lines.push_back(name);
   const contact::FingerOutput& contact = finger.contact;
@@ -368,7 +370,7 @@ std::vector<std::string> fingerWords(const scene::World& world, const FingerMark
   const bool most = finger.lifted.has_value();
   lines.push_back(most ? trf("most depth {:.1f} mm", said.depth_mm) : trf("depth {:.1f} mm", said.depth_mm));
   lines.push_back(most ? trf("most force {:.2f} N", said.force_n) : trf("force {:.2f} N", said.force_n));
-  if (now.depth_mm > capOf(world)) lines.push_back(trf("skin drawn {:g} mm deep", capOf(world)));
+  if (now.depth_mm > maxDrawnDepthMm(world)) lines.push_back(trf("skin drawn {:g} mm deep", maxDrawnDepthMm(world)));
   return lines;
 }
 

@@ -35,7 +35,7 @@ struct LabelScene {
 
 /// The lines next to a finger: its name, the present depth and whole force, or the maximum of the press that just
 /// ended; and, where the finger is deeper than skin is drawn, the drawn depth.
-std::vector<std::string> fingerWords(const scene::World& world, const FingerMark& finger, const std::string& name);
+std::vector<std::string> fingerLabelLines(const scene::World& world, const FingerMark& finger, const std::string& name);
 
 /// Draws all labels of the settings, on a page that has begun.
 void drawLabels(Drawing& page, const LabelScene& scene, const LabelSettings& settings);

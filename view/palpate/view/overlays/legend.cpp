@@ -33,24 +33,24 @@ Vec3 cornerShares(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& place
 
 }  // namespace
 
-std::optional<ColourScale> scaleOf(Colouring colouring) {
+std::optional<ColourScale> findColourScale(Colouring colouring) {
   switch (colouring) {
     case Colouring::strain:
-      return ColourScale{colourMapOf(colouring), tr("strain"), "%"};
+      return ColourScale{fieldColourMap(colouring), tr("strain"), "%"};
     case Colouring::stiffness:
-      return ColourScale{colourMapOf(colouring), tr("stiffness"), "N/mm"};
+      return ColourScale{fieldColourMap(colouring), tr("stiffness"), "N/mm"};
     case Colouring::ellipses:
-      return ColourScale{colourMapOf(colouring), tr("half-major"), "mm"};
+      return ColourScale{fieldColourMap(colouring), tr("half-major"), "mm"};
     case Colouring::scalar:
-      return ColourScale{colourMapOf(colouring), tr("scalar"), ""};
+      return ColourScale{fieldColourMap(colouring), tr("scalar"), ""};
     case Colouring::plain:
       break;
   }
   return std::nullopt;
 }
 
-std::optional<ColourScale> scaleOf(const Look& look, const scene::World& world) {
-  if (look.colouring != Colouring::scalar) return scaleOf(look.colouring);
+std::optional<ColourScale> findColourScale(const Look& look, const scene::World& world) {
+  if (look.colouring != Colouring::scalar) return findColourScale(look.colouring);
   const scene::SkinScalar* scalar = scene::scalarNamed(world.body->channels.get(), look.scalar);
   if (scalar == nullptr) return std::nullopt;
   return ColourScale{look.scalar_map, scalar->name, ""};
@@ -59,7 +59,7 @@ std::optional<ColourScale> scaleOf(const Look& look, const scene::World& world) 
 std::optional<double> valueUnder(const scene::World& world, const deform::DeformedSurface& surface, const Look& look,
                                  const contact::FingerOutput& finger) {
   const bool touches = finger.touch != contact::Touch::free && finger.triangle < world.body->skin.triangles.size();
-  if (!touches || !scaleOf(look, world)) return std::nullopt;
+  if (!touches || !findColourScale(look, world)) return std::nullopt;
   const auto& corners = world.body->skin.triangles[finger.triangle];
   const auto& places = world.body->skin.positions;
   const Vec3 shares = cornerShares(places[corners[0]], places[corners[1]], places[corners[2]], finger.proxy);
@@ -97,7 +97,7 @@ void drawPointedEnds(Drawing& page, const Legend& legend, const LegendPlace& pla
   page.triangle({left, below}, {right, below}, {middle, below + kPoint}, {colourAt(legend, 0.0)});
 }
 
-float heightOf(const Legend& legend, const LegendPlace& place, double value) {
+float yOnBar(const Legend& legend, const LegendPlace& place, double value) {
   return place.corner.y() + place.size.y() * static_cast<float>(1.0 - heightOnBar(legend, value));
 }
 
@@ -107,13 +107,13 @@ void drawNumbers(Drawing& page, const Legend& legend, const LegendPlace& place, 
   const float right = place.corner.x() + place.size.x();
   const float half_line = 0.5f * page.measure("0", TextSize::small).y();
   for (const double value : values) {
-    const float y = heightOf(legend, place, value);
+    const float y = yOnBar(legend, place, value);
     page.line({right, y}, {right + kTick, y}, inks.letter);
     writeLabel(page, {right + kTick + 3.0f, y - half_line}, markText(value, step), inks, Align::left, TextSize::small);
   }
 }
 
-void drawWords(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks) {
+void drawLegendLabels(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks) {
   const float middle = place.corner.x() + 0.5f * place.size.x();
   const float line = page.measure("0", TextSize::small).y();
   const float above = place.corner.y() - kPoint - line - 4.0f;
@@ -130,7 +130,7 @@ void drawWords(Drawing& page, const Legend& legend, const LegendPlace& place, co
 /// A wedge at the bar's left that points at the value under a finger.
 void drawMark(Drawing& page, const Legend& legend, const LegendPlace& place, const Legend::Mark& mark,
               const LabelInks& inks) {
-  const float y = heightOf(legend, place, mark.value);
+  const float y = yOnBar(legend, place, mark.value);
   const float tip = place.corner.x() - 1.0f;
   page.triangle({tip + 1.5f, y}, {tip - 11.0f, y + 6.5f}, {tip - 11.0f, y - 6.5f}, inks.letter);
   page.triangle({tip, y}, {tip - 9.5f, y + 5.0f}, {tip - 9.5f, y - 5.0f}, {mark.colour});
@@ -138,13 +138,15 @@ void drawMark(Drawing& page, const Legend& legend, const LegendPlace& place, con
 
 }  // namespace
 
-double heightOnBar(const Legend& legend, double value) { return std::clamp(shareOf(legend.range, value), 0.0, 1.0); }
+double heightOnBar(const Legend& legend, double value) {
+  return std::clamp(rangeFraction(legend.range, value), 0.0, 1.0);
+}
 
 void drawLegend(Drawing& page, const Legend& legend, const LegendPlace& place, const LabelInks& inks) {
   drawPointedEnds(page, legend, place);
   drawBar(page, legend, place);
   drawNumbers(page, legend, place, inks);
-  drawWords(page, legend, place, inks);
+  drawLegendLabels(page, legend, place, inks);
   for (const Legend::Mark& mark : legend.marks) drawMark(page, legend, place, mark, inks);
 }
 

@@ -27,13 +27,15 @@ struct ColourScale {
 };
 
 /// Strain: blue compression, red tension. Colouring::plain has none.
-std::optional<ColourScale> scaleOf(Colouring colouring);
+std::optional<ColourScale> findColourScale(Colouring colouring);
 /// The same for a look on this world; a scalar's title is the look's own string. Empty where the body has no such
 /// scalar.
-std::optional<ColourScale> scaleOf(const Look& look, const scene::World& world);
+std::optional<ColourScale> findColourScale(const Look& look, const scene::World& world);
 
 /// Place of a value in a range, 0 to 1; beyond the ends it may be less or more.
-inline double shareOf(const ColourRange& range, double value) { return (value - range.low) / (range.high - range.low); }
+inline double rangeFraction(const ColourRange& range, double value) {
+  return (value - range.low) / (range.high - range.low);
+}
 
 /// The field of the look's colouring under a finger in contact, in the unit of its scale.
 std::optional<double> valueUnder(const scene::World& world, const deform::DeformedSurface& surface, const Look& look,

@@ -58,7 +58,7 @@ Frustum lensFrustum(std::span<const FingerMark> fingers, const Camera& camera, d
   const Vec3 centre = middle + 0.25 * half_height;
   const Screen screen{centre - half_width - half_height, centre + half_width - half_height,
                       centre - half_width + half_height};
-  return frustumOf(screen, centre + kLensEyeMm * backward, kLensNearMm, kLensFarMm);
+  return makeFrustum(screen, centre + kLensEyeMm * backward, kLensNearMm, kLensFarMm);
 }
 
 }  // namespace palpate::view

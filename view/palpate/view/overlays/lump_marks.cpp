@@ -58,17 +58,18 @@ void addLump(const contact::Lump& lump, const Vec3& middle, Patches& solid) {
 
 }  // namespace
 
-Vec2 movedOf(std::size_t lump, std::span<const FingerMark> fingers) {
+Vec2 lumpShift(std::size_t lump, std::span<const FingerMark> fingers) {
   for (const FingerMark& finger : fingers) {
     if (finger.contact.lump == lump) return finger.contact.lump_moved_mm;
   }
   return Vec2::Zero();
 }
 
-Vec3 middleOf(const scene::World& world, std::size_t lump, std::span<const FingerMark> fingers, const DrawnSkin& skin) {
+Vec3 lumpCentre(const scene::World& world, std::size_t lump, std::span<const FingerMark> fingers,
+                const DrawnSkin& skin) {
   constexpr double kSkinMm = 20.0;  // search range for the skin over a moved lump
   const contact::Lump& placed = world.lumps[lump]->lump;
-  const Vec2 moved = movedOf(lump, fingers);
+  const Vec2 moved = lumpShift(lump, fingers);
   const Vec3 foot = placed.foot + moved.x() * placed.across + moved.y() * placed.up;
   const double depth_mm = placed.shape.centreMm();
   const Vec3 out = kSkinMm * placed.axis;
@@ -87,7 +88,7 @@ Vec3 middleOf(const scene::World& world, std::size_t lump, std::span<const Finge
 
 void addLumps(const scene::World& world, std::span<const FingerMark> fingers, const DrawnSkin& skin, Patches& solid) {
   for (std::size_t i = 0; i < world.lumps.size(); ++i) {
-    addLump(world.lumps[i]->lump, middleOf(world, i, fingers, skin), solid);
+    addLump(world.lumps[i]->lump, lumpCentre(world, i, fingers, skin), solid);
   }
 }
 

@@ -17,11 +17,12 @@ namespace palpate::view {
 inline constexpr double kSkinOverLumps = 0.4;
 
 /// The shift of a lump from its place, mm across and up: as the fingers report, else zero.
-Vec2 movedOf(std::size_t lump, std::span<const FingerMark> fingers);
+Vec2 lumpShift(std::size_t lump, std::span<const FingerMark> fingers);
 
 /// The present middle of a lump: moved sideways, and down with the skin by the share of its depth on the way to the
 /// bone.
-Vec3 middleOf(const scene::World& world, std::size_t lump, std::span<const FingerMark> fingers, const DrawnSkin& skin);
+Vec3 lumpCentre(const scene::World& world, std::size_t lump, std::span<const FingerMark> fingers,
+                const DrawnSkin& skin);
 
 /// All lumps of the world, shaded.
 void addLumps(const scene::World& world, std::span<const FingerMark> fingers, const DrawnSkin& skin, Patches& solid);

@@ -40,7 +40,7 @@ bool isFree(const NameTag& tag, const NameGround& ground) {
   const bool on_page = tag.dot.allFinite() && (tag.dot.array() >= ground.page.corner.array()).all() &&
                        (tag.dot.array() <= ground.page.opposite.array()).all();
   return on_page && std::none_of(ground.taken.begin(), ground.taken.end(),
-                                 [&](const LabelBox& box) { return overlapOf(dot, box) > 0.0f; });
+                                 [&](const LabelBox& box) { return overlapArea(dot, box) > 0.0f; });
 }
 
 /// The spine goes to one side as a whole, so that its levels stay in a row: right unless it is clearly left.
@@ -65,7 +65,7 @@ bool spineIsUpright(std::span<const NameTag> tags, const NameGround& ground) {
   return spine.isEmpty() || spine.sizes().y() >= spine.sizes().x();
 }
 
-std::array<NameColumn, 2> sidesOf(std::span<const NameTag> tags, const NameGround& ground) {
+std::array<NameColumn, 2> splitIntoColumns(std::span<const NameTag> tags, const NameGround& ground) {
   const float middle = 0.5f * (ground.body_left + ground.body_right);
   const bool spine_left = spineIsLeft(tags, ground, middle);
   const bool upright = spineIsUpright(tags, ground);
@@ -146,8 +146,8 @@ std::optional<int> rankWithoutRoom(std::span<const NameTag> tags, float room, st
 }
 
 /// Upper edges of the plates, in this order.
-std::vector<float> topsOf(std::span<const NameTag> tags, const std::vector<std::size_t>& column,
-                          const FreeStretch& stretch) {
+std::vector<float> computePlateTops(std::span<const NameTag> tags, const std::vector<std::size_t>& column,
+                                    const FreeStretch& stretch) {
   struct Block {
     float sum = 0.0f;  // over the desired tops of its plates, less the plates above them
     float count = 0.0f;
@@ -178,14 +178,15 @@ std::vector<float> topsOf(std::span<const NameTag> tags, const std::vector<std::
   return tops;
 }
 
-float crossOf(const Vec2f& a, const Vec2f& b) { return a.x() * b.y() - a.y() * b.x(); }
+float crossProduct(const Vec2f& a, const Vec2f& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 bool linesMeet(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Vec2f& d) {
-  return crossOf(b - a, c - a) * crossOf(b - a, d - a) < 0.0f && crossOf(d - c, a - c) * crossOf(d - c, b - c) < 0.0f;
+  return crossProduct(b - a, c - a) * crossProduct(b - a, d - a) < 0.0f &&
+         crossProduct(d - c, a - c) * crossProduct(d - c, b - c) < 0.0f;
 }
 
-std::vector<NamePlate> platesOf(std::span<const NameTag> tags, const NameColumn& column,
-                                const std::vector<float>& tops) {
+std::vector<NamePlate> placePlates(std::span<const NameTag> tags, const NameColumn& column,
+                                   const std::vector<float>& tops) {
   std::vector<NamePlate> plates;
   for (std::size_t i = 0; i < tops.size(); ++i) {
     const Vec2f size = tags[column.tags[i]].size;
@@ -198,7 +199,7 @@ std::vector<NamePlate> platesOf(std::span<const NameTag> tags, const NameColumn&
 /// Neighbours whose lines cross change places; a few rounds, because that can make others cross.
 std::vector<NamePlate> untangled(std::span<const NameTag> tags, NameColumn column, const FreeStretch& stretch) {
   constexpr int kMaxRounds = 12;
-  std::vector<NamePlate> plates = platesOf(tags, column, topsOf(tags, column.tags, stretch));
+  std::vector<NamePlate> plates = placePlates(tags, column, computePlateTops(tags, column.tags, stretch));
   for (int round = 0; round < kMaxRounds; ++round) {
     bool changed = false;
     for (std::size_t i = 0; i + 1 < plates.size(); ++i) {
@@ -210,7 +211,7 @@ std::vector<NamePlate> untangled(std::span<const NameTag> tags, NameColumn colum
       ++i;
     }
     if (!changed) break;
-    plates = platesOf(tags, column, topsOf(tags, column.tags, stretch));
+    plates = placePlates(tags, column, computePlateTops(tags, column.tags, stretch));
   }
   return plates;
 }
@@ -218,7 +219,7 @@ std::vector<NamePlate> untangled(std::span<const NameTag> tags, NameColumn colum
 }  // namespace
 
 std::vector<NamePlate> nameColumns(std::span<const NameTag> tags, const NameGround& ground) {
-  std::array<NameColumn, 2> sides = sidesOf(tags, ground);
+  std::array<NameColumn, 2> sides = splitIntoColumns(tags, ground);
   for (NameColumn& column : sides) setEdges(tags, ground, column);
   std::array<FreeStretch, 2> stretches;
   std::optional<int> given_up;

@@ -19,7 +19,7 @@ const Vec2f kNamePad(5.0f, 1.0f);
 class PageSight {
  public:
   PageSight(const Drawing& page, const Eyes& eyes, const Vec3& eye)
-      : page_(page.size()), frustum_(frustumOf(eyes.screen, eye, kNearMm, kFarMm)) {}
+      : page_(page.size()), frustum_(makeFrustum(eyes.screen, eye, kNearMm, kFarMm)) {}
   Vec2f of(const Vec3& place) const { return seenAt(frustum_, place).cast<float>().cwiseProduct(page_); }
 
  private:

@@ -61,11 +61,11 @@ constexpr float kKeyPad = 6.0f;
 constexpr float kChip = 18.0f;  ///< length of a sign
 constexpr Ink kChipInk{{128, 104, 90}};
 
-Ink inkOf(const Paint& paint) { return {{paint[0], paint[1], paint[2]}, paint[3] / 255.0}; }
+Ink toInk(const Paint& paint) { return {{paint[0], paint[1], paint[2]}, paint[3] / 255.0}; }
 
 void drawSign(Drawing& page, const KeyEntry& entry, const Vec2f& corner, float height) {
   const Vec2f opposite = corner + Vec2f(kChip, height);
-  const Ink ink = inkOf(entry.paint);
+  const Ink ink = toInk(entry.paint);
   page.box(corner, opposite, kChipInk, 2.0f);
   const Vec2f middle = 0.5f * (corner + opposite);
   const Vec2f half(0.5f * kChip - 2.0f, 0.0f);

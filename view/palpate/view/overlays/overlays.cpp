@@ -82,7 +82,7 @@ void Overlays::addTouch(const Look& look, const DrawnSkin& skin, const contact::
 }
 
 const ShownPartition& Overlays::partition() {
-  if (!partition_) partition_ = partitionOf(world_);
+  if (!partition_) partition_ = makeShownPartition(world_);
   return *partition_;
 }
 

@@ -31,7 +31,7 @@ struct ShownPartition {
 };
 
 /// The one that this world's fingers use; built from the scene's settings when they use none.
-ShownPartition partitionOf(const scene::World& world);
+ShownPartition makeShownPartition(const scene::World& world);
 
 /// The cells of the leaves, blue.
 void addLeafBoxes(const hdb::Partition& partition, Lines& lines);

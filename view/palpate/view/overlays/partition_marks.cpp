@@ -39,7 +39,7 @@ void addPlane(const Box3& cell, int axis, double share, Lines& lines, Patches& p
 
 }  // namespace
 
-ShownPartition partitionOf(const scene::World& world) {
+ShownPartition makeShownPartition(const scene::World& world) {
   const auto source = world.hdb ? world.hdb : scene::buildHdbSource(world.scene, world.body->skin, world.surface);
   return {source->partition, source->settings.edges_mm};
 }

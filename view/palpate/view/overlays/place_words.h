@@ -10,7 +10,7 @@
 
 namespace palpate::view {
 
-/// Translates results of body::spokenName, inWords and placeWords. Unknown words are kept.
+/// Translates results of body::spokenName, describe and makePlaceName. Unknown words are kept.
 std::string placeInLanguage(const std::string& english);
 
 /// Translates input in either language for body::placeNamed; unknown words are kept.

@@ -30,7 +30,7 @@ constexpr std::array<Direction, 14> kDirections = {{
 // clang-format on
 
 /// From the tip to the plate's upper or left edge, along one axis.
-float startOf(float direction, float away, float extent) {
+float plateOffset(float direction, float away, float extent) {
   if (direction > 0.0f) return away;
   return direction < 0.0f ? -away - extent : -0.5f * extent;
 }
@@ -50,7 +50,7 @@ LabelBox movedOnto(const LabelBox& page, const Vec2f& wanted, const Vec2f& size)
 
 const LabelInks& inksFor(const Look& look) { return look.hasLightGround() ? kOnLight : kOnDark; }
 
-float overlapOf(const LabelBox& a, const LabelBox& b) {
+float overlapArea(const LabelBox& a, const LabelBox& b) {
   const Vec2f shared = a.opposite.cwiseMin(b.opposite) - a.corner.cwiseMax(b.corner);
   return std::max(0.0f, shared.x()) * std::max(0.0f, shared.y());
 }
@@ -59,11 +59,11 @@ LabelBox placePlate(const Vec2f& tip, const Vec2f& size, const LabelBox& page, s
   LabelBox best;
   float least = std::numeric_limits<float>::infinity();
   for (const Direction& direction : kDirections) {
-    const Vec2f wanted = tip + Vec2f(startOf(direction.x, direction.farther * kBeside, size.x()),
-                                     startOf(direction.y, direction.farther * kAbove, size.y()));
+    const Vec2f wanted = tip + Vec2f(plateOffset(direction.x, direction.farther * kBeside, size.x()),
+                                     plateOffset(direction.y, direction.farther * kAbove, size.y()));
     const LabelBox plate = movedOnto(page, wanted, size);
     float hidden = 0.0f;
-    for (const LabelBox& box : taken) hidden += overlapOf(plate, box);
+    for (const LabelBox& box : taken) hidden += overlapArea(plate, box);
     if (hidden >= least) continue;
     least = hidden;
     best = plate;

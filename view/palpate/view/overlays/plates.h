@@ -20,7 +20,7 @@ struct LabelBox {
 };
 
 /// The area that two boxes share, square points.
-float overlapOf(const LabelBox& a, const LabelBox& b);
+float overlapArea(const LabelBox& a, const LabelBox& b);
 
 /// A plate of this size for something at `tip`: to the right and above if there is room, else the nearest place round
 /// it on the page and clear of `taken`; where there is none, the one that hides least.

@@ -88,7 +88,7 @@ double padScaleTop(std::span<const PadReading> readings) {
   return roundStepUp(greatest);
 }
 
-ColourBytes heatOf(double share) {
+ColourBytes heatColour(double share) {
   constexpr std::array<std::array<double, 3>, 6> kKnots = {
       {{8, 5, 30}, {74, 12, 107}, {164, 44, 96}, {229, 92, 48}, {252, 165, 10}, {252, 255, 164}}};
   constexpr double kPieces = kKnots.size() - 1;
@@ -117,7 +117,7 @@ void addPad(const PadReading& reading, double top_kpa, const scene::World& world
       const double share = reading.kpa[row * n + column] / top_kpa;
       const bool whole = std::all_of(at.begin(), at.end(), [&](std::size_t i) { return corners[i].has_value(); });
       if (!whole || share < kFelt) continue;
-      const ColourBytes heat = heatOf(share);
+      const ColourBytes heat = heatColour(share);
       patches.addQuad(
           {*corners[at[0]], *corners[at[1]], *corners[at[2]], *corners[at[3]]},
           faded({heat[0], heat[1], heat[2], 255}, std::lerp(kLeastOpacity, kMostOpacity, std::sqrt(share))));

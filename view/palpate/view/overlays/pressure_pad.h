@@ -55,7 +55,7 @@ double padScaleTop(std::span<const PadReading> readings);
 
 /// From nearly black over red to light yellow, for shares of the scale from 0 to 1. Lightness rises throughout, so that
 /// it can be read without colours.
-ColourBytes heatOf(double share);
+ColourBytes heatColour(double share);
 
 /// The taxels under pressure as patches on the deformed skin, and the rim of the pad; nothing for a finger without
 /// contact.

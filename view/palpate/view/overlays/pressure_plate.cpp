@@ -47,7 +47,7 @@ void drawTaxels(Drawing& page, const PadReading& reading, double top_kpa, const 
     const std::size_t row = i / n;
     const Vec2f corner = plate.square() + cell * Vec2f(static_cast<float>(i % n), static_cast<float>(row));
     const double share = reading.kpa[i] / top_kpa;
-    page.box(corner, corner + Vec2f::Constant(cell), Ink{heatOf(share)});
+    page.box(corner, corner + Vec2f::Constant(cell), Ink{heatColour(share)});
     if (n > kMostNumbers || reading.kpa[i] < 0.5) continue;
     page.text(corner + Vec2f(0.5f * cell, 0.5f * cell - half_line), fmt::format("{:.0f}", reading.kpa[i]),
               numberInk(share), Align::centre, TextSize::small);
@@ -65,7 +65,7 @@ void drawHeatBar(Drawing& page, double top_kpa, const PadPlate& plate, const Lab
   const float step = plate.side / kSteps;
   for (int i = 0; i < kSteps; ++i) {
     const Vec2f from = corner + Vec2f(0.0f, static_cast<float>(i) * step);
-    page.box(from, from + Vec2f(kHeatBar, step), Ink{heatOf(1.0 - (i + 0.5) / kSteps)});
+    page.box(from, from + Vec2f(kHeatBar, step), Ink{heatColour(1.0 - (i + 0.5) / kSteps)});
   }
   const float half_line = 0.5f * page.measure("0", TextSize::small).y();
   const auto marks = roundMarks(0.0, top_kpa, 4);

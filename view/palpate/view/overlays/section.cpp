@@ -78,7 +78,7 @@ std::optional<CrossedEdges> crossedEdges(const TriangleRecord& record, const Def
 }
 
 /// The crossed triangle nearest to the plane's origin.
-Index startOf(const tree::TriangleTree& tree, const SectionPlane& plane, const Side& side) {
+Index findStartTriangle(const tree::TriangleTree& tree, const SectionPlane& plane, const Side& side) {
   constexpr double kReachMm = 5.0;  // the origin is on the skin; a corner's own triangles may all be on one side
   const auto found = tree::nearestPointIf(tree, plane.origin, kReachMm, [&](Index record, const auto&) {
     const TriangleRecord& r = tree.records[record];
@@ -160,7 +160,7 @@ std::vector<SectionPoint> sectionCurve(const scene::World& world, const Deformed
                                        double half_width_mm) {
   const tree::TriangleTree& tree = world.surface.geometry->tree;
   const Side side(plane);
-  const Index start = startOf(tree, plane, side);
+  const Index start = findStartTriangle(tree, plane, side);
   if (start == kNoIndex) return {};
   const auto edges = crossedEdges(tree.records[start], deformed, plane, side);
   if (!edges) return {};

@@ -99,7 +99,7 @@ void drawCurve(Drawing& page, const Axes& axes, std::span<const SectionPoint> cu
   page.curve(line, ink, thickness);
 }
 
-void drawWords(Drawing& page, const SectionChart& chart, const LabelInks& inks) {
+void drawLineLabels(Drawing& page, const SectionChart& chart, const LabelInks& inks) {
   const float y = chart.corner.y() + 6.0f;
   float x = chart.corner.x() + 8.0f;
   for (const auto& [words, ink] : {std::pair<std::string_view, Ink>{tr("section"), inks.letter},
@@ -121,7 +121,7 @@ void drawSection(Drawing& page, std::span<const SectionPoint> curve, const Secti
   if (chart.cap_mm) drawCap(page, axes, *chart.cap_mm, inks);
   drawCurve(page, axes, curve, &SectionPoint::rest, inks.rest, 1.5f);
   drawCurve(page, axes, curve, &SectionPoint::deformed, inks.deformed, 2.2f);
-  drawWords(page, chart, inks);
+  drawLineLabels(page, chart, inks);
 }
 
 }  // namespace palpate::view

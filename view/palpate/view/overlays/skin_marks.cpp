@@ -23,7 +23,7 @@ struct Moved {
   Index vertex;
 };
 
-MarkCell cellOf(const Vec3& place, double size) {
+MarkCell cellAt(const Vec3& place, double size) {
   const Vec3 cell = (place / size).array().floor();
   return {static_cast<int>(cell.x()), static_cast<int>(cell.y()), static_cast<int>(cell.z())};
 }
@@ -34,7 +34,7 @@ std::vector<Moved> movedVertices(const deform::Skin& rest, const DrawnSkin& skin
   for (const deform::VertexRange& range : skin.changed()) {
     for (Index v = range.first; v < range.end; ++v) {
       const Vec3 place = rest.restPlace(v);
-      if ((skin.at(v) - place).norm() > kMinMm) moved.push_back({cellOf(place - rest.origin, spacing), v});
+      if ((skin.at(v) - place).norm() > kMinMm) moved.push_back({cellAt(place - rest.origin, spacing), v});
     }
   }
   return moved;

@@ -167,7 +167,7 @@ struct Painter::Impl {
   void paintBody(const Job& job, Eye eye, const EyePicture& picture) {
     const bool hands = job.settings.look.finger == FingerShape::hand && !job.frame.fingers.empty();
     const double room_mm = hands ? kRoomForHandsMm : kRoomMm;
-    const Frustum frustum = frustumOf(job.eyes, eye, depthRangeOf(job.eyes, with_support, room_mm));
+    const Frustum frustum = makeFrustum(job.eyes, eye, computeClipRange(job.eyes, with_support, room_mm));
     Frame frame = job.frame;
     frame.pixels_per_point = job.canvas.pixels_per_point * picture.width / job.picture.width;
     renderer.draw(frame, job.settings.look, frustum, picture.width, picture.height);
@@ -250,7 +250,7 @@ Painted Painter::paint(const Frame& frame, const deform::DeformedSurface& surfac
   job.picture = eyePictureIn(usable.mode, canvas.width, canvas.height);
   const ComfortableStereo calm = comfortable(settings.camera, job.stereo, job.picture.aspect(), impl_->box);
   job.stereo = calm.settings;
-  job.eyes = eyesOf(settings.camera, job.stereo, job.picture.aspect());
+  job.eyes = placeEyes(settings.camera, job.stereo, job.picture.aspect());
   impl_->readBeneath(job);
   impl_->preparePage(job, job.eyes.middle);
   impl_->paintEyes(job);

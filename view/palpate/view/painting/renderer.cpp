@@ -31,12 +31,13 @@ constexpr double kLightBody = 2.5;
 /// A near plane behind the eye, mm: nothing fades.
 constexpr double kNeverNear = -1e4;
 
-FingerLayer::Form formOf(const Look& look) {
+FingerLayer::Form fingerForm(const Look& look) {
   return look.finger == FingerShape::hand ? FingerLayer::Form::hand : FingerLayer::Form::finger;
 }
 
 /// Presses on the skin at rest, from its origin.
-std::vector<Press> pressesOf(const Frame& frame, const std::optional<body::BreathField>& breath, const Vec3& origin) {
+std::vector<Press> collectPresses(const Frame& frame, const std::optional<body::BreathField>& breath,
+                                  const Vec3& origin) {
   std::vector<Press> presses;
   for (const FingerMark& finger : frame.fingers) {
     if (finger.contact.touch == contact::Touch::free) continue;
@@ -75,7 +76,7 @@ struct Renderer::Impl {
 
   void setWorld(std::shared_ptr<const scene::World> next) {
     if (world && world->body == next->body) {
-      skin.setMapsOf(*next);
+      skin.updateMaps(*next);
       bones.setSameBody(*next);
     } else {
       skin.setWorld(*next);
@@ -101,10 +102,10 @@ struct Renderer::Impl {
     hands.clear();
     casters.clear();
     if (look.finger == FingerShape::none) return;
-    for (const FingerMark& finger : frame.fingers) poses.push_back(poseOf(*world, drawn, finger));
+    for (const FingerMark& finger : frame.fingers) poses.push_back(computeFingerPose(*world, drawn, finger));
     for (FingerPose& pose : poses) pose.outline *= frame.pixels_per_point;
     if (look.finger != FingerShape::ball) {
-      for (const FingerPose& pose : poses) hands.push_back(fingers.handPose(*world, formOf(look), pose));
+      for (const FingerPose& pose : poses) hands.push_back(fingers.handPose(*world, fingerForm(look), pose));
     }
     countFromOrigin();
     if (look.finger == FingerShape::ball) {
@@ -114,7 +115,7 @@ struct Renderer::Impl {
       }
       return;
     }
-    for (std::size_t i = 0; i < hands.size(); ++i) fingers.addCasters(formOf(look), poses[i], hands[i], casters);
+    for (std::size_t i = 0; i < hands.size(); ++i) fingers.addCasters(fingerForm(look), poses[i], hands[i], casters);
   }
 
   /// Relative to the origin, like all data on the graphics card.
@@ -132,7 +133,7 @@ struct Renderer::Impl {
   /// In another tone than the body, so that the two are distinguishable. A hand fades before it reaches the near plane,
   /// which leaves room for it; a finger is too short to reach it.
   void drawHands(const Look& look, const Viewpoint& viewpoint, FingerLayer::Part part) {
-    const FingerLayer::Form form = formOf(look);
+    const FingerLayer::Form form = fingerForm(look);
     const HandTones tones{.skin = look.skin_tone < kLightBody ? 4.0 : 2.0,
                           .near_mm = form == FingerLayer::Form::hand ? viewpoint.near_mm : kNeverNear};
     for (std::size_t i = 0; i < hands.size(); ++i) fingers.drawHand(form, poses[i], hands[i], tones, viewpoint, part);
@@ -205,14 +206,14 @@ void Renderer::setPartition(std::shared_ptr<const hdb::Partition> partition, con
 void Renderer::draw(const Frame& frame, const Look& look, const Frustum& frustum, int width, int height,
                     const Frustum* lit_as) {
   const Look seen = impl_->seenLook(look);
-  Viewpoint viewpoint = viewpointOf(frustum, width, height, impl_->world->deformable->origin);
+  Viewpoint viewpoint = makeViewpoint(frustum, width, height, impl_->world->deformable->origin);
   if (lit_as != nullptr) viewpoint.lights = lightsFor(*lit_as);
   viewpoint.lift_mm = static_cast<float>(frame.lift_mm);
   viewpoint.pixels_per_point = static_cast<float>(frame.pixels_per_point);
   impl_->drawn.lift(viewpoint.lift_mm);
   impl_->poseFingers(frame, seen);
-  const auto marks = impl_->blanching.at(frame.time_s, pressesOf(frame, impl_->world->breath, viewpoint.origin));
-  const std::vector<SkinDent> dents = dentsOf(frame.fingers, *impl_->world, frame.lift_mm);
+  const auto marks = impl_->blanching.at(frame.time_s, collectPresses(frame, impl_->world->breath, viewpoint.origin));
+  const std::vector<SkinDent> dents = collectDents(frame.fingers, *impl_->world, frame.lift_mm);
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
   setWinding(frustum);

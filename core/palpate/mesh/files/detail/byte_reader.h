@@ -32,10 +32,10 @@ class ByteReader {
 
   template <class T>
   T number(std::endian order = std::endian::little) {
-    return numberFromBytes<T>(take(sizeof(T), "the file ends in the middle of a number").data(), order);
+    return numberFromBytes<T>(readBytes(sizeof(T), "the file ends in the middle of a number").data(), order);
   }
   /// The next `count` bytes.
-  std::string_view take(std::size_t count, std::string_view cause) {
+  std::string_view readBytes(std::size_t count, std::string_view cause) {
     if (count > bytesLeft()) fail(cause);
     position_ += count;
     return bytes_.substr(position_ - count, count);

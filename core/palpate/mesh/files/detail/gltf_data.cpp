@@ -130,13 +130,13 @@ std::string bytesOfData(std::string_view uri, JsonValue where) {
   return *std::move(bytes);
 }
 
-std::size_t countOf(JsonValue where, JsonValue count) {
+std::size_t readCount(JsonValue where, JsonValue count) {
   if (!count) where.fail("an accessor needs a count");
   return count.index(kAnySize, "count");
 }
 
 template <class Vector>
-constexpr std::string_view typeOf() {
+constexpr std::string_view accessorType() {
   constexpr std::array<std::string_view, 5> kTypes = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
   return Vector::SizeAtCompileTime == 16 ? "MAT4" : kTypes[Vector::SizeAtCompileTime];
 }
@@ -150,14 +150,14 @@ JsonValue firstBaseColour(JsonValue root) {
   const std::vector<JsonValue> base_colours = baseColours(root);
   for (const JsonValue mesh : root["meshes"].items()) {
     for (const JsonValue primitive : mesh["primitives"].items()) {
-      if (const JsonValue base_colour = baseColourOf(base_colours, primitive)) return base_colour;
+      if (const JsonValue base_colour = findBaseColour(base_colours, primitive)) return base_colour;
     }
   }
   return {};
 }
 
 /// texture -> image
-JsonValue imageOf(JsonValue root, JsonValue base_colour) {
+JsonValue findImage(JsonValue root, JsonValue base_colour) {
   const auto textures = root["textures"].items();
   const auto images = root["images"].items();
   const JsonValue index = base_colour["index"];
@@ -190,7 +190,7 @@ GltfParts splitGltf(const MeshFile& file) {
     if (chunk == 0 && type != kJsonChunk)
       throw Error::atByte(file.name, kGlbHeaderBytes, "the first chunk is not JSON");
     const std::size_t start = bytes.position();
-    const auto content = bytes.take(length, "a chunk is longer than the file");
+    const auto content = bytes.readBytes(length, "a chunk is longer than the file");
     if (chunk == 0) std::tie(parts.json, parts.json_offset) = std::pair(withoutPadding(content), start);
     if (chunk == 1 && type == kBinaryChunk) parts.binary = content;
   }
@@ -205,13 +205,13 @@ std::string bytesOfUri(const MeshFile& file, JsonValue uri, std::uint64_t max_by
 GltfAccessors::GltfAccessors(const MeshFile& file, JsonValue root, std::string_view binary)
     : file_(file), binary_(binary), bytes_(file.bytes.size()) {
   for (const JsonValue buffer : root["buffers"].items()) buffers_.push_back({.where = buffer});
-  for (const JsonValue view : root["bufferViews"].items()) views_.push_back(outlineOfView(view));
-  for (const JsonValue accessor : root["accessors"].items()) accessors_.push_back(outlineOf(accessor));
+  for (const JsonValue view : root["bufferViews"].items()) views_.push_back(parseView(view));
+  for (const JsonValue accessor : root["accessors"].items()) accessors_.push_back(parseAccessor(accessor));
 }
 
 // Missing or wrong parts are reported on use only: animations may hold what meshes may not.
 
-GltfAccessors::View GltfAccessors::outlineOfView(JsonValue view) {
+GltfAccessors::View GltfAccessors::parseView(JsonValue view) {
   View outline{.where = view,
                .buffer = view["buffer"],
                .length = view["byteLength"],
@@ -224,7 +224,7 @@ GltfAccessors::View GltfAccessors::outlineOfView(JsonValue view) {
   return outline;
 }
 
-GltfAccessors::Accessor GltfAccessors::outlineOf(JsonValue accessor) {
+GltfAccessors::Accessor GltfAccessors::parseAccessor(JsonValue accessor) {
   return {.where = accessor,
           .view = accessor["bufferView"],
           .type = accessor["type"],
@@ -302,12 +302,12 @@ GltfAccessors::Elements GltfAccessors::elements(JsonValue where, JsonValue view_
   return found;
 }
 
-GltfAccessors::Sparse GltfAccessors::sparseOf(const Accessor& accessor, std::size_t count, std::size_t components) {
+GltfAccessors::Sparse GltfAccessors::parseSparse(const Accessor& accessor, std::size_t count, std::size_t components) {
   const JsonValue sparse = accessor.sparse;
   const JsonValue indices = sparse["indices"];
   const JsonValue values = sparse["values"];
   if (!indices["bufferView"] || !values["bufferView"]) sparse.fail("a sparse accessor needs indices and values");
-  const std::size_t changed = countOf(sparse, sparse["count"]);
+  const std::size_t changed = readCount(sparse, sparse["count"]);
   const Elements at =
       elements(sparse, indices["bufferView"], indices["byteOffset"], indices["componentType"], changed, 1);
   Sparse found{
@@ -327,10 +327,10 @@ std::vector<Vector> GltfAccessors::vectors(JsonValue accessor_index) {
   using Scalar = typename Vector::Scalar;
   constexpr std::size_t kNumbers = Vector::SizeAtCompileTime;
   const Accessor& accessor = accessorAt(accessor_index);
-  if (!accessor.type || accessor.type.text() != typeOf<Vector>()) {
-    accessor.where.fail(fmt::format("type {} is expected", typeOf<Vector>()));
+  if (!accessor.type || accessor.type.text() != accessorType<Vector>()) {
+    accessor.where.fail(fmt::format("type {} is expected", accessorType<Vector>()));
   }
-  const std::size_t count = countOf(accessor.where, accessor.count);
+  const std::size_t count = readCount(accessor.where, accessor.count);
   const auto read = [&](const Elements& found, std::size_t i) {
     const std::size_t bytes = bytesOf(found.component_type);
     Vector vector;
@@ -349,10 +349,9 @@ std::vector<Vector> GltfAccessors::vectors(JsonValue accessor_index) {
     result.reserve(count);
     for (std::size_t i = 0; i < count; ++i) result.push_back(read(found, i));
   }
-  const Sparse sparse = accessor.sparse ? sparseOf(accessor, count, kNumbers) : Sparse{};
+  const Sparse sparse = accessor.sparse ? parseSparse(accessor, count, kNumbers) : Sparse{};
   if (!accessor.view) {
-    if (count > mostItems())
-      accessor.where.fail(fmt::format("{} zeros, more than a file of this size can mean", count));
+    if (count > maxItems()) accessor.where.fail(fmt::format("{} zeros, more than a file of this size can mean", count));
     result.assign(count, Vector::Zero());
   }
   for (std::size_t i = 0; i < sparse.places.size(); ++i) result[sparse.places[i]] = read(sparse.values, i);
@@ -385,7 +384,7 @@ std::vector<JsonValue> baseColours(JsonValue root) {
   return found;
 }
 
-JsonValue baseColourOf(const std::vector<JsonValue>& base_colours, JsonValue primitive) {
+JsonValue findBaseColour(const std::vector<JsonValue>& base_colours, JsonValue primitive) {
   const JsonValue index = primitive["material"];
   return index ? base_colours[index.index(base_colours.size(), "material")] : JsonValue();
 }
@@ -395,7 +394,7 @@ std::string readGltfPicture(const MeshFile& file) {
   const JsonDocument document(parts.json, {file.name, !parts.is_glb, parts.json_offset});
   const JsonValue base_colour = firstBaseColour(document.root());
   if (!base_colour) return {};
-  const JsonValue image = imageOf(document.root(), base_colour);
+  const JsonValue image = findImage(document.root(), base_colour);
   if (const JsonValue uri = image["uri"]) return bytesOfUri(file, uri, file.options.max_bytes);
   const JsonValue view = image["bufferView"];
   if (!view) image.fail("an image needs uri or bufferView");

@@ -49,7 +49,7 @@ class GltfAccessors {
   /// Without bytes of its own: all zero, except for a sparse accessor's or an extension's data.
   bool isWithoutView(JsonValue accessor_index) const { return !accessorAt(accessor_index).view; }
   /// Limit of items for the file and the buffers read so far.
-  std::size_t mostItems() const { return 1000 + kMaxGltfItemsPerByte * bytes_; }
+  std::size_t maxItems() const { return 1000 + kMaxGltfItemsPerByte * bytes_; }
 
  private:
   struct Buffer {
@@ -87,14 +87,14 @@ class GltfAccessors {
     std::vector<Index> places;
     Elements values;
   };
-  static View outlineOfView(JsonValue view);
-  static Accessor outlineOf(JsonValue accessor);
+  static View parseView(JsonValue view);
+  static Accessor parseAccessor(JsonValue accessor);
   const Accessor& accessorAt(JsonValue accessor_index) const;
   std::string_view bytesOfBuffer(JsonValue buffer_index);
   void readBuffer(Buffer& buffer);
   Elements elements(JsonValue where, JsonValue view_index, JsonValue offset, JsonValue component_type,
                     std::size_t count, std::size_t components);
-  Sparse sparseOf(const Accessor& accessor, std::size_t count, std::size_t components);
+  Sparse parseSparse(const Accessor& accessor, std::size_t count, std::size_t components);
 
   const MeshFile& file_;
   std::string_view binary_;
@@ -109,7 +109,7 @@ class GltfAccessors {
 /// The `baseColorTexture` of each material, or null: looked up once, however many primitives refer to one material.
 std::vector<JsonValue> baseColours(JsonValue root);
 /// That of a primitive's material, or null.
-JsonValue baseColourOf(const std::vector<JsonValue>& base_colours, JsonValue primitive);
+JsonValue findBaseColour(const std::vector<JsonValue>& base_colours, JsonValue primitive);
 
 /// The image file of the file's first primitive with a base colour; empty without one. Throws Error.
 std::string readGltfPicture(const MeshFile& file);

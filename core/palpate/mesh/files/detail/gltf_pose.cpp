@@ -6,7 +6,7 @@ namespace palpate::mesh {
 
 namespace {
 
-Eigen::Affine3d matrixOf(JsonValue node) {
+Eigen::Affine3d readMatrix(JsonValue node) {
   Eigen::Affine3d transform = Eigen::Affine3d::Identity();
   const auto numbers = node["matrix"].items();
   if (numbers.size() != 16) node["matrix"].fail("a matrix needs 16 numbers");
@@ -17,8 +17,8 @@ Eigen::Affine3d matrixOf(JsonValue node) {
   return transform;
 }
 
-Eigen::Affine3d transformOf(JsonValue node) {
-  if (node["matrix"]) return matrixOf(node);
+Eigen::Affine3d readTransform(JsonValue node) {
+  if (node["matrix"]) return readMatrix(node);
   return composed(vectorOr<3>(node["translation"], Vec3::Zero()),
                   vectorOr<4>(node["rotation"], Eigen::Vector4d(0, 0, 0, 1)), vectorOr<3>(node["scale"], Vec3::Ones()));
 }
@@ -87,7 +87,7 @@ void GltfPose::walk(const std::vector<std::size_t>& roots, std::vector<bool>& vi
     const Pending next = pending.back();
     pending.pop_back();
     const JsonValue node = nodes_[next.node];
-    const Eigen::Affine3d transform = next.parent * transformOf(node);
+    const Eigen::Affine3d transform = next.parent * readTransform(node);
     visit(next.node, transform);
     push(nodeIndices(node["children"]), transform);
   }
@@ -100,7 +100,7 @@ void GltfPose::placeJoints() {
   walk(orphans(), is_placed_, [&](std::size_t n, const Eigen::Affine3d& transform) { places_[n] = transform; });
 }
 
-const std::vector<Eigen::Affine3d>& GltfPose::jointsOf(JsonValue skin_index, GltfAccessors& accessors) {
+const std::vector<Eigen::Affine3d>& GltfPose::jointMotions(JsonValue skin_index, GltfAccessors& accessors) {
   const std::size_t s = skin_index.index(skins_.size(), "skin");
   std::vector<Eigen::Affine3d>& result = joints_[s];
   if (!result.empty()) return result;

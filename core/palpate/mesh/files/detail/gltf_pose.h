@@ -44,7 +44,7 @@ class GltfPose {
 
   /// The motion of a vertex that a joint alone moves: the joint's place now, from where it was when the skin was made.
   /// One per joint of the skin. Throws Error.
-  const std::vector<Eigen::Affine3d>& jointsOf(JsonValue skin_index, GltfAccessors& accessors);
+  const std::vector<Eigen::Affine3d>& jointMotions(JsonValue skin_index, GltfAccessors& accessors);
 
  private:
   using Visit = std::function<void(std::size_t node, const Eigen::Affine3d& transform)>;

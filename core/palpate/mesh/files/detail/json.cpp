@@ -152,13 +152,13 @@ class JsonParser {
       do {
         read_item();
         ++count;
-      } while (takeIf(','));
+      } while (consumeIf(','));
     }
     expect(closing);
     closeNode(node, count);
   }
 
-  bool takeIf(char c) {
+  bool consumeIf(char c) {
     if (peek() != c) return false;
     ++position_;
     return true;
@@ -197,17 +197,17 @@ class JsonParser {
   static bool isNumber(std::string_view word) {
     if (word.starts_with('-')) word.remove_prefix(1);
     if (word.size() > 1 && word[0] == '0' && isDigit(word[1])) return false;
-    if (!takeDigits(word)) return false;
-    if (word.starts_with('.') && (word.remove_prefix(1), !takeDigits(word))) return false;
+    if (!consumeDigits(word)) return false;
+    if (word.starts_with('.') && (word.remove_prefix(1), !consumeDigits(word))) return false;
     if (word.empty()) return true;
     if (word[0] != 'e' && word[0] != 'E') return false;
     word.remove_prefix(1);
     if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
-    return takeDigits(word) && word.empty();
+    return consumeDigits(word) && word.empty();
   }
 
   static bool isDigit(char c) { return c >= '0' && c <= '9'; }
-  static bool takeDigits(std::string_view& word) {
+  static bool consumeDigits(std::string_view& word) {
     const auto digits = std::find_if_not(word.begin(), word.end(), isDigit) - word.begin();
     word.remove_prefix(static_cast<std::size_t>(digits));
     return digits > 0;

@@ -70,7 +70,7 @@ class Sweep {
     return true;
   }
 
-  std::vector<Triangle> takeTriangles() {
+  std::vector<Triangle> extractTriangles() {
     for (Triangle& triangle : triangles_) {
       for (Index& place : triangle) place = corner_at_[place];
     }
@@ -324,7 +324,7 @@ std::optional<std::vector<Triangle>> cutOutline(std::span<const Vec2> corners) {
   if (corners.size() < 3) return std::nullopt;
   Sweep sweep(corners);
   if (!sweep.run()) return std::nullopt;
-  return sweep.takeTriangles();
+  return sweep.extractTriangles();
 }
 
 }  // namespace palpate::mesh

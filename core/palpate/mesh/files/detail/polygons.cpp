@@ -115,8 +115,8 @@ std::vector<Vec2> seenAlongNormal(const std::vector<Vec3>& positions, std::span<
   return inRange(std::move(places));
 }
 
-void appendOf(std::span<const Index> polygon, const std::vector<Triangle>& of_corners,
-              std::vector<Triangle>& triangles) {
+void appendTriangles(std::span<const Index> polygon, const std::vector<Triangle>& of_corners,
+                     std::vector<Triangle>& triangles) {
   for (const auto& [a, b, c] : of_corners) triangles.push_back({polygon[a], polygon[b], polygon[c]});
 }
 
@@ -136,7 +136,7 @@ PolygonCut guess(const std::vector<Vec3>& positions, std::span<const Index> poly
   for (const Index v : polygon) loop.push_back(positions[v]);
   const auto filling = triangulateLoop(loop, [](Index, Index) { return true; });
   if (!filling) return PolygonCut::impossible;
-  appendOf(polygon, filling->triangles, triangles);
+  appendTriangles(polygon, filling->triangles, triangles);
   return PolygonCut::guessed;
 }
 
@@ -150,7 +150,7 @@ PolygonCut cutLong(const std::vector<Vec3>& positions, std::span<const Index> po
   auto cut = cutOutline(seenAlongAxis(positions, polygon, normal));
   if (!cut && !normal.isZero(0.0)) cut = cutOutline(seenAlongNormal(positions, polygon, normal));
   if (!cut) return guess(positions, polygon, triangles);
-  appendOf(polygon, *cut, triangles);
+  appendTriangles(polygon, *cut, triangles);
   return PolygonCut::exact;
 }
 

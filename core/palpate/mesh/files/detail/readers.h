@@ -44,7 +44,7 @@ void useForeignReader(ForeignReader reader);
 inline TexturePlace noTexturePlace() { return TexturePlace::Constant(std::numeric_limits<float>::quiet_NaN()); }
 
 /// The format of a file by its first bytes, else by its extension. Throws Error when it cannot be read.
-Format formatOf(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign);
+Format detectFormat(const std::filesystem::path& file, std::string_view bytes, bool allow_foreign);
 /// Reads the file and calls use(MeshFile, Format); both live only during the call. Throws Error.
 template <class Use>
 auto withMeshFile(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress,
@@ -53,7 +53,7 @@ auto withMeshFile(const std::filesystem::path& file, const LoadOptions& options,
   const std::string name = file.string();
   PassedOver passed_over;
   return use(MeshFile{bytes, name, options, progress, file.parent_path() / ".", passed_over},
-             formatOf(file, bytes, options.allow_foreign));
+             detectFormat(file, bytes, options.allow_foreign));
 }
 /// Moves a mesh from the units of its file to mm (LoadOptions::unit_mm).
 void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm);
