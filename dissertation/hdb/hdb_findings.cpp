@@ -128,15 +128,15 @@ FindingValues listsOfTheBox(const HdbMeasurement& found) {
   const ListCosts& costs = found.lists;
   if (costs.models.empty()) return {};
   const std::size_t model = costs.models.back();
-  const ListRow& leaves = *costRow(costs, model, hdb::HdbQuery::leaves);
-  const ListRow& exact = *costRow(costs, model, hdb::HdbQuery::triangles);
-  const ListRow& coherent = *costRow(costs, model, hdb::HdbQuery::coherent);
-  const ListRow& linked = *costRow(costs, model, hdb::HdbQuery::linked);
+  const ListRow& leaves = *findListRow(costs, model, hdb::HdbQuery::leaves);
+  const ListRow& exact = *findListRow(costs, model, hdb::HdbQuery::triangles);
+  const ListRow& coherent = *findListRow(costs, model, hdb::HdbQuery::coherent);
+  const ListRow& linked = *findListRow(costs, model, hdb::HdbQuery::linked);
   FindingValues to_coherent = FindingValues::array();
   std::vector<double> ratios;
   for (const std::size_t other : costs.models) {
-    ratios.push_back(costRow(costs, other, hdb::HdbQuery::linked)->tick_us /
-                     costRow(costs, other, hdb::HdbQuery::coherent)->tick_us);
+    ratios.push_back(findListRow(costs, other, hdb::HdbQuery::linked)->tick_us /
+                     findListRow(costs, other, hdb::HdbQuery::coherent)->tick_us);
     to_coherent.push_back({{"times", ratios.back()}, {"model", other}});
   }
   return {{"same", std::all_of(costs.rows.begin(), costs.rows.end(), [](const ListRow& row) { return row.same; })},

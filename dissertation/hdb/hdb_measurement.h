@@ -43,7 +43,7 @@ struct ListPlan {
 ListCosts measureLists(const ListPlan& plan);
 
 /// The row of that model and way; null if it was not measured.
-const ListRow* costRow(const ListCosts& costs, std::size_t model, hdb::HdbQuery query);
+const ListRow* findListRow(const ListCosts& costs, std::size_t model, hdb::HdbQuery query);
 
 inline constexpr double kTenth = 0.1;  ///< the dissertation's example of a box that is too small
 

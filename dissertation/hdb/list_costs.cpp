@@ -51,8 +51,8 @@ void feel(const contact::Surface& surface, hdb::HdbCandidates& list, const ListS
   }
 }
 
-ListRow costRow(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
-                const ListStrokes& strokes, const Outputs& expected, const ListPlan& plan) {
+ListRow measureListRow(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
+                       const ListStrokes& strokes, const Outputs& expected, const ListPlan& plan) {
   ListRow row{.model = box->partition->triangle_count, .query = box->settings.query};
   row.make_us = shortestMicroseconds(plan.runs, [&] { hdb::HdbCandidates made(box); });
   hdb::HdbCandidates list(box);
@@ -85,7 +85,8 @@ void measureModel(std::size_t triangles, const ListPlan& plan, ListCosts& costs)
     hdb::HdbSettings settings;
     settings.edges_mm = hdb::hdbEdges(partition->bounds);
     settings.query = query;
-    costs.rows.push_back(costRow(surface, hdb::makeHdbSurface(surface, partition, settings), strokes, expected, plan));
+    costs.rows.push_back(
+        measureListRow(surface, hdb::makeHdbSurface(surface, partition, settings), strokes, expected, plan));
   }
 }
 
@@ -97,7 +98,7 @@ ListCosts measureLists(const ListPlan& plan) {
   return costs;
 }
 
-const ListRow* costRow(const ListCosts& costs, std::size_t model, HdbQuery query) {
+const ListRow* findListRow(const ListCosts& costs, std::size_t model, HdbQuery query) {
   for (const ListRow& row : costs.rows) {
     if (row.model == model && row.query == query) return &row;
   }

@@ -44,7 +44,6 @@ class BoxTree {
   const std::vector<BoxNode>& nodes() const { return nodes_; }
   /// Triangles lie in slots, those of a node in a row.
   const std::array<Vec3, 3>& corners(Index slot) const { return corners_[slot]; }
-  Index triangleInSlot(Index slot) const { return order_[slot]; }
   Index slotOf(Index triangle) const { return slots_[triangle]; }
   Index triangles() const { return static_cast<Index>(order_.size()); }
 

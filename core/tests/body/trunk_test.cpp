@@ -72,7 +72,7 @@ void expectBonesUnderSkin(const Trunk& trunk) {
   const auto least = std::min_element(trunk.depth_mm.begin(), trunk.depth_mm.end());
   const auto where = static_cast<std::size_t>(least - trunk.depth_mm.begin());
   EXPECT_GT(*least, 2.0) << trunk.bones[trunk.nearest_bone[where]].name << " near "
-                         << describe(trunk.landmarks, trunk.skin.positions[where]);
+                         << describePlace(trunk.landmarks, trunk.skin.positions[where]);
   // A bone outside altogether would have skin at a distance too.
   for (const Bone& bone : trunk.bones) {
     EXPECT_TRUE(mesh::boundingBox(trunk.skin).contains(mesh::boundingBox(bone.mesh))) << bone.name;

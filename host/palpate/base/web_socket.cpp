@@ -155,8 +155,6 @@ std::optional<Received> FrameReader::next() {
   return std::nullopt;
 }
 
-std::string makeHead(Kind kind, std::size_t bytes) { return makeFrameHead(Side::server, kind, bytes); }
-
 std::string makeFrame(Side own, Kind kind, std::string_view bytes) {
   std::string frame = makeFrameHead(own, kind, bytes.size());
   if (own == Side::server) return frame.append(bytes);

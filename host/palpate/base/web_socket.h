@@ -90,8 +90,6 @@ class FrameReader {
 /// A whole frame as this side must send it. A client's mask comes from the system's randomness; throws Error where it
 /// has none.
 std::string makeFrame(Side own, Kind kind, std::string_view bytes);
-/// A server's frame without its bytes, which go behind it.
-std::string makeHead(Kind kind, std::size_t bytes);
 /// Like makeFrame; a reason of more than 123 bytes is cut.
 std::string makeClose(Side own, CloseCode code, std::string_view reason = {});
 /// The answer to the other side's close: its own code, where that is one that may be sent.

@@ -210,15 +210,6 @@ std::string makeRevocationList(const Certified& authority, const std::vector<std
   return textIn(bio.get());
 }
 
-std::string certificateFingerprint(const std::string& certificate) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int size = 0;
-  mustBe(X509_digest(certificateFrom(certificate).get(), EVP_sha256(), digest.data(), &size) == 1, "hashing it");
-  std::string hex;
-  for (unsigned int i = 0; i < size; ++i) hex += fmt::format("{:02x}", digest.at(i));
-  return hex;
-}
-
 int daysLeft(const std::string& certificate) {
   int days = 0;
   int seconds = 0;

@@ -36,8 +36,6 @@ std::vector<std::string> certificateHosts(const std::string& certificate);
 /// replaces the one before.
 std::string makeRevocationList(const Certified& authority, const std::vector<std::string>& certificates);
 
-/// SHA-256 of the certificate itself, hex.
-std::string certificateFingerprint(const std::string& certificate);
 /// Days until it expires; negative once it has.
 int daysLeft(const std::string& certificate);
 
