@@ -117,7 +117,7 @@ Vec2 footInPad(const Lump& lump, const Vec2& moved_mm, const FingerOutput& felt,
   return {from_tip.dot(plane.u), from_tip.dot(plane.v)};
 }
 
-/// What each lump adds to the normal force.
+/// The normal force that each lump adds.
 struct Pushes {
   std::size_t count = 0;
   std::array<double, kMaxLumps> push;
@@ -134,7 +134,7 @@ void fillPushes(const Lumps& lumps, const FingerOutput& felt, double extra_n, Pu
     pushes.push[i] = normalPush(lumps.all[i], pushes.moved[i], press);
     all += pushes.push[i];
   }
-  // What relaxation and a hand-over of worlds left of it.
+  // Relaxation and the hand-over of worlds leave this share of it.
   const double left = all != 0.0 && extra_n / all > 0.0 ? std::min(extra_n / all, 10.0) : 1.0;
   for (std::size_t i = 0; i < pushes.count; ++i) pushes.push[i] *= left;
 }
@@ -147,14 +147,14 @@ tissue::PressurePattern overLumps(const Lumps& lumps, const Pushes& pushes, doub
     const double widening = tissue::wideningOf(lumps.all[i].shape, lumps.all[i].skin_mm);
     if (widening > 0.0) sum += pushes.push[i] * widening;
   }
-  // Of small lumps nothing waits for the pushes.
+  // Small lumps do not widen the pattern, so it need not wait for their pushes.
   return sum != 0.0 ? tissue::overLumps(pattern, sum / plain_n) : pattern;
 }
 
 /// The forces of the cells with the bumps of all lumps; the plain ones stand for `plain_n`.
 PadMoments addBumps(const Lumps& lumps, const Pushes& pushes, const FingerOutput& felt, const PadPlane& plane,
                     double per_mm, double circle, double plain, double plain_n, PadCells& cells) {
-  constexpr double kUnfelt = 1e-5;  // of the force: a bump that nobody would find among the taxels
+  constexpr double kUnfelt = 1e-5;  // of the force: a smaller bump is lost among the taxels
   const double normal_n = felt.force.dot(felt.normal);
   const double per_n = plain / plain_n;
   double level = 1.0;

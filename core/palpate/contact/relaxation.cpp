@@ -19,7 +19,7 @@ double restDepth(const Relaxation& relaxation, const Eased& eased) noexcept {
   return relaxation.share * eased[0] + relaxation.share_2 * eased[1];
 }
 
-/// What is left of the way to what the skin holds, a term each, after a tick.
+/// The share of its way to the held depth that each term has left after a tick.
 Eased decayFactors(const Relaxation& relaxation, double tick_s) noexcept {
   return {elementary::exp(-tick_s / relaxation.time_s), elementary::exp(-tick_s / relaxation.time_2_s)};
 }
@@ -28,13 +28,13 @@ void ease(const Eased& kept, double held_mm, Eased& eased) noexcept {
   for (std::size_t i = 0; i < eased.size(); ++i) eased[i] = held_mm + kept[i] * (eased[i] - held_mm);
 }
 
-/// Of one tick ago, from where it is now: exactly so while the same was held.
+/// The last tick's change, computed from the state after it: exact if the held depth stayed the same.
 double relaxationChange(const Relaxation& relaxation, const Eased& kept, double held_mm, const Eased& eased) noexcept {
   const auto moved = [&](std::size_t i) { return (1.0 / kept[i] - 1.0) * std::abs(held_mm - eased[i]); };
   return relaxation.share * moved(0) + relaxation.share_2 * moved(1);
 }
 
-/// Lets a dent come back that nobody presses.
+/// Lets a dent recover that no finger presses.
 void easeDent(const Relaxation& relaxation, const Eased& kept, SkinMemory& memory) noexcept {
   if (!(memory.dent.rest_mm > 0.0)) return;
   ease(kept, memory.dent.rest_mm, memory.left_mm);

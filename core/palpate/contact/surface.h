@@ -37,7 +37,7 @@ struct SurfaceGeometry {
 
 struct SkinPlanes;
 
-/// Every finger reads it, nobody writes it.
+/// Shared by all fingers, which only read it.
 struct Surface {
   std::shared_ptr<const SurfaceGeometry> geometry;  ///< never null
   /// Per vertex; never null. Surfaces of one skin may share it.
@@ -45,14 +45,14 @@ struct Surface {
   std::vector<double> tissue_mm;  ///< per vertex: felt over the bone (PlacedTissue); empty where it is not known
   tissue::ForceLaw force_law;
   std::shared_ptr<const Lumps> lumps = nullptr;  ///< under it (lump_force.h); null: none
-  /// Of its geometry, for spheres that keep the skin near them (nearby_skin.h); null: they ask the tree.
+  /// For spheres that keep the skin near them (nearby_skin.h); null: they search the tree.
   std::shared_ptr<const SkinPlanes> planes = nullptr;
 };
 
 /// `mesh` must be fit for contact, as mesh::repair leaves it: an edge has at most one neighbour on each side and the
-/// triangles of a vertex form one fan. Throws Error otherwise. `self_intersecting`: false: no sheets of the surface
-/// pierce each other, as somebody knows already; else the mesh is asked, and where (about 1 us a triangle). `progress`
-/// is called every 0.2 s or so; what it throws ends the work.
+/// triangles of a vertex form one fan. Throws Error otherwise. `self_intersecting`: false if the caller knows that no
+/// sheets of the surface pierce each other; otherwise the mesh is searched for them (about 1 us per triangle).
+/// `progress` is called about every 0.2 s; an exception from it ends the work.
 std::shared_ptr<const SurfaceGeometry> buildGeometry(const mesh::TriangleMesh& mesh,
                                                      std::optional<bool> self_intersecting = {},
                                                      const Progress& progress = {});

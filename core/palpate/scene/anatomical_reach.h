@@ -62,7 +62,7 @@ class SectionWalk {
 /// Logarithms of factors on a radius, at equal angles from the first axis of a place.
 using DirectedFactors = std::array<double, 8>;
 
-/// What a place makes of the regions of flat skin.
+/// How a place changes the regions of flat skin.
 struct PlaceReach {
   Vec3 first = Vec3::UnitX();  ///< axes of the tangent plane; first x second is the normal
   Vec3 second = Vec3::UnitY();
@@ -72,7 +72,7 @@ struct PlaceReach {
   double deepest_mm = std::numeric_limits<double>::infinity();
 };
 
-/// Which of the two is asked for; a way that nobody needs is not walked.
+/// Requests the reach of a press, a drag or both; ways that neither needs are not walked.
 struct ReachRequest {
   const tissue::PressCurves* press = nullptr;
   /// Where a tenth of the drag is left on flat skin; an empty one: no drag.

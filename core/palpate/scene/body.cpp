@@ -16,7 +16,7 @@ namespace palpate::scene {
 
 namespace {
 
-/// Of the time that a body's build takes here, its contact surface.
+/// The contact surface's share of the time that building a body takes here.
 constexpr double kSurfaceShare = 0.8;
 
 template <class Extend>
@@ -64,7 +64,7 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thi
   body->given_stiffness_n_per_mm = std::move(parts.given_stiffness_n_per_mm);
   body->given_layers = std::move(parts.given_layers);
   const mesh::TriangleMesh& skin = body->skin;
-  // Made beside the surface, which takes four times as long. Given up with it: nobody waits for half of a body.
+  // Built in parallel with the surface, which takes four times as long; cancelled if the surface fails.
   std::atomic<bool> given_up{false};
   Background making_deformable([&] {
     body->deformable = deform::buildSkin(skin, [&](std::string_view, double) {

@@ -120,7 +120,7 @@ bool isFelt(const Body& body, const maps::Dysfunction& d) {
   return false;
 }
 
-/// Off the body, or between its vertices: a slip of the pen that nobody would feel.
+/// Notes dysfunctions off the body or between its vertices: they change nothing, and are most likely a typing error.
 void noteUnfelt(const std::vector<maps::Dysfunction>& dysfunctions, const Body& body, std::vector<std::string>& notes) {
   for (std::size_t i = 0; i < dysfunctions.size(); ++i) {
     const maps::Dysfunction& d = dysfunctions[i];

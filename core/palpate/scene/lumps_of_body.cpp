@@ -166,7 +166,7 @@ double layerKpaAt(const tissue::LayerStack& stack, double depth_mm) {
   return stack.layers.back().young_kpa;
 }
 
-/// Solved with this lump in the mesh. Throws Error where nobody can.
+/// The solution with this lump in the mesh. Throws Error if it is not stored and cannot be computed here.
 std::vector<SolvedPush> solvedOrFail(const LumpSettings& lump, const tissue::LumpShape& shape,
                                      const tissue::LayerStack& stack) {
   std::optional<std::vector<SolvedPush>> pushes;

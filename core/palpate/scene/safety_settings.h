@@ -1,5 +1,5 @@
-// What a haptic device may be asked to do to a hand. Set by the scene, completed by what is known of the device
-// (device/device_profile.h), obeyed by the servo (servo/limiter.h). docs/explanation/safety.md.
+// Limits on what a haptic device may do to a hand. Set by the scene, completed by what is known of the device
+// (device/device_profile.h), enforced by the servo (servo/limiter.h). docs/explanation/safety.md.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +19,14 @@ enum class DeviceModel : std::uint8_t {
   inverse3
 };
 
-/// What is felt of a surface in which the tip already is when a session starts, or goes on after a fault.
+/// The force of a surface that the tip is already inside of when a session starts, or resumes after a fault.
 enum class StartRule : std::uint8_t {
   outside,  ///< nothing until the tip has been outside once
   ramp,     ///< a force that grows over `ramp_s`
 };
 
 struct SafetySettings {
-  /// Of a device that does not say its kind, and of none.
+  /// Assumed for a device that does not report its model, and without a device.
   DeviceModel device = DeviceModel::unknown;
   /// Largest force sent to the device, N, never above what the device holds for a moment. 0: that.
   double nominal_force_n = 0.0;
@@ -35,7 +35,7 @@ struct SafetySettings {
   double stiffness_cap_n_per_mm = 0.0;
   /// From sampling the pose to the force taking effect, in ticks, the amplifier's lag included.
   double delay_ticks = 1.0;
-  // Of this very device, if somebody has measured them; 0: the profile's assumptions, of which less is trusted.
+  // As measured on this very device; 0: the profile's assumptions, which are trusted less.
   double device_damping_n_s_per_mm = 0.0;
   double device_friction_n = 0.0;
   /// The controller that takes away what the sampled loop gives beyond the skin's own law.
@@ -44,12 +44,12 @@ struct SafetySettings {
   bool soft_contact = true;
   StartRule start = StartRule::outside;
   double ramp_s = 0.5;
-  // What counts as a fault: no force in that tick, and the start rule again.
+  // A tick beyond these is a fault: no force in that tick, and the start rule again.
   double max_age_ticks = 2.0;              ///< of a pose
   double max_jump_mm = 10.0;               ///< of the tip in a tick ...
   double max_tip_speed_mm_per_s = 3000.0;  ///< ... and as a speed, where ticks were missed
   double max_force_rate_n_per_ms = 6.0;    ///< of a growing force
-  // What the limiter of versions up to 0.2 obeyed: read, without effect, and said in a note.
+  // For the limiter of versions up to 0.2: read, without effect, and mentioned in a note.
   double slew_per_motion = 2.0;
   double slew_mm = 0.1;
   double passivity_allowance_n_mm = 1.0;

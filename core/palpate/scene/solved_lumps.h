@@ -15,7 +15,7 @@
 
 namespace palpate::scene {
 
-/// What a lump adds to the force of a press over its middle.
+/// The force that a lump adds to a press over its middle.
 struct SolvedPush {
   double depth_mm = 0.0;
   double extra_n = 0.0;
@@ -35,11 +35,11 @@ struct LumpStore {
 void setLumpSolver(LumpSolver solver);
 void setLumpStore(LumpStore store);
 
-/// As they were kept, or solved now and kept. Nothing where they were not and nobody here can solve them. Throws Error
-/// as the solver does.
+/// Loads the stored pushes, or solves and stores them. Nothing if they are not stored and no solver is set. Throws
+/// Error as the solver does.
 std::optional<std::vector<SolvedPush>> solvedPushes(const tissue::LumpShape& lump, const tissue::LayerStack& stack);
 
-/// Of a table's extra force on the axis, what it is to be multiplied by. Where the table has hardly any, 1.
+/// Factors for a table's extra force on the axis; 1 where the table has hardly any.
 std::vector<tissue::ForceCorrection> correctionOf(std::span<const SolvedPush> pushes, const tissue::LumpEnergy& table);
 
 }  // namespace palpate::scene

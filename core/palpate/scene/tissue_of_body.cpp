@@ -103,7 +103,7 @@ std::vector<tissue::LayeredNode> makeLayeredNodes(const Scene& scene) {
   return nodes;
 }
 
-/// The region of a drag where nobody has measured one: as the layers themselves have it, along the drag.
+/// The region of a drag where none was measured: that of the layers themselves, along the drag.
 maps::SurfaceEllipse solvedRegion(const deform::Contact& contact, const tissue::DragCurve& drag) noexcept {
   const Vec3 normal = contact.normal.normalized();
   const Vec3 along = contact.drag_mm - contact.drag_mm.dot(normal) * normal;
@@ -146,7 +146,7 @@ void leaveATenthAt(double tenth_q, tissue::LayeredCurve& share) noexcept {
   if (near < 0.1 && wide > near) share = tissue::blended(share, far, std::min(1.0, (0.1 - near) / (wide - near)));
 }
 
-/// What was measured on others is as long as it was, or shorter; what was measured on this person stays.
+/// Anatomy may only shorten a region measured on other people; one measured on this person stays as it is.
 DirectedFactors dragFactors(const Scene& scene, const PlaceReach& place) noexcept {
   if (isOwn(scene)) return {};
   DirectedFactors factors = place.drag;
@@ -164,8 +164,8 @@ void scaleContour(maps::SurfaceContour& contour, double factor) noexcept {
   }
 }
 
-/// What the drag's region becomes in the shape "contour": the measured contour, or without a table the flat ellipse,
-/// longer and shorter to each side by what lies there.
+/// The drag's region in the shape "contour": the measured contour, or without a table the flat ellipse, lengthened or
+/// shortened to each side by the anatomy there.
 maps::SurfaceContour contourOfPlace(const World& world, const deform::Contact& contact,
                                     const PlaceReach& place) noexcept {
   const DirectedFactors factors = dragFactors(world.scene, place);

@@ -123,7 +123,7 @@ void noteFingers(const Scene& scene, const tissue::ForceLaw& law, std::vector<st
 
 // ---- what lies under it
 
-/// Null where nobody asks for them. Patterns of the same tissue are those of the world before.
+/// Null unless a lump or a finger's pad needs them. Reuses the previous world's patterns if the tissue is the same.
 std::shared_ptr<const contact::PressureGround> pressureIfAsked(const Scene& scene, const HealthyTissue& healthy,
                                                                bool layered, const World* before,
                                                                std::vector<std::string>& notes) {
@@ -184,7 +184,7 @@ Scene withPlaces(Scene scene, const std::vector<body::SkinLandmark>& landmarks) 
   };
   for (maps::Dysfunction& dysfunction : scene.dysfunctions) find(dysfunction.at, dysfunction.x_mm, dysfunction.y_mm);
   for (PlaceProfile& profile : scene.profiles) find(profile.at, profile.x_mm, profile.y_mm);
-  /// Of a table that knows where it stands.
+  /// For a table with a line in a scene file, which errors then name.
   const auto find_for = [&](const auto& table, double& x_mm, double& y_mm) {
     try {
       find(table.at, x_mm, y_mm);
@@ -198,8 +198,8 @@ Scene withPlaces(Scene scene, const std::vector<body::SkinLandmark>& landmarks) 
   return scene;
 }
 
-/// A press of all that the cap allows must not come out of the far side of a thin part: how thick parts must be known,
-/// mm. Nothing where thickness is no limit, or where over bones the tissue's own is.
+/// The thickness up to which parts must be measured, mm, so that the deepest press does not come out of the far side
+/// of a thin one. Nothing where thickness does not limit a press, or where the tissue over the bones does.
 std::optional<double> thicknessLimit(const deform::FormSettings& forms, bool layered) {
   if (layered || !forms.common.limit_shear) return std::nullopt;
   return forms.common.tissue.normal_cap_mm / deform::ShearLimit::kShareOfThickness;

@@ -37,7 +37,7 @@ constexpr NumberRange kTableDepths{0.0, 500.0, true};
 constexpr NumberRange kTableForces{0.0, 1e6};
 constexpr NumberRange kFingerTableForces{0.0, 1e6, true};
 constexpr NumberRange kContactRadii{0.0, 1000.0};
-/// Of the skin on the axis: a bulge or a dent is no larger.
+/// Relative to the skin on the axis; bulges and dents stay within this.
 constexpr NumberRange kShapeShares{-100.0, 100.0};
 constexpr NumberRange kDragExponent{0.0, 10.0, true};
 constexpr NumberRange kDragWidth{0.0, 1000.0, true};
@@ -294,7 +294,7 @@ void check(const LayerStack& stack) {
 }
 
 void check(const LayeredTable& table) {
-  if (!table.stack.layers.empty()) check(table.stack);  // of measured curves nobody may know the layers
+  if (!table.stack.layers.empty()) check(table.stack);  // a table fitted to measured curves may have none
   demand(kPoisson, table.stack.poisson, "stack", "Poisson's ratio");
   demand(kIndenterRadius, table.indenter_radius_mm, "table", "indenter_radius_mm", "mm");
   checkRadii(table.radii_mm);

@@ -1,4 +1,4 @@
-// What one stack of layers over bone answers to a fingertip: the shape of its skin and the force, by depth.
+// The response of one stack of layers over bone to a fingertip: the shape of its skin and the force, by depth.
 //
 // Made by the finite element solver (room `elements`) or fitted to measured curves; what the body blends at run time
 // (layered_library.h). Depths are those of the rigid sphere's lowest point under the undeformed skin.
@@ -24,7 +24,7 @@ struct Layer {
 
 /// Flat bonded layers, from the skin down to a rigid base (bone).
 struct LayerStack {
-  std::vector<Layer> layers;  ///< none: a table fitted to measured curves, of nobody knows what layers
+  std::vector<Layer> layers;  ///< empty: unknown, in a table fitted to measured curves
   double poisson = 0.48;      ///< in [0, 0.5)
 };
 
@@ -52,8 +52,8 @@ struct DragShape {
   double along_mm = 16.0;
   double across_mm = 9.2;
   double tangential_over_normal = 0.7;  ///< k_t / k_n of a bonded patch, both from the same linear solve
-  // What was solved, where it is known: the share of the drag at the table's radii along the two axes. As long as the
-  // radii, or empty.
+  // The solution itself, if known: the share of the drag at the table's radii along the two axes. As long as the radii,
+  // or empty.
   std::vector<double> on_along;
   std::vector<double> on_across;
 };
@@ -71,7 +71,7 @@ struct LayeredTable {
   std::vector<double> radii_mm;      ///< from 0, increasing: where the shapes are told, at rest
   std::vector<PressedShape> shapes;  ///< depths increasing, > 0
   std::optional<DragShape> drag;     ///< where it was solved
-  /// Of other radii than the indenter's, increasing; none: the shipped stacks say how forces change with the radius
+  /// For radii other than the indenter's, increasing; empty: forces change with the radius as in the shipped stacks
   /// (nodeOf in layered_tissue.h).
   std::vector<FingerForces> fingers = {};
   std::optional<PressField> field = {};  ///< where it was solved; lumps need it

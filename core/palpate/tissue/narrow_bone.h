@@ -17,7 +17,7 @@ namespace palpate::tissue {
 /// mm, of bone that is flat; what is wider counts as flat.
 inline constexpr double kFlatBoneMm = 1e3;
 
-/// Under so much tissue nobody feels how wide a bone is, mm.
+/// Under this much tissue the width of a bone cannot be felt, mm.
 inline constexpr double kDeepBoneMm = 30.0;
 
 /// The depths that were solved, mm. The share is their geometric mean, and in that mean both thicknesses push back
@@ -25,9 +25,9 @@ inline constexpr double kDeepBoneMm = 30.0;
 inline constexpr double kLightDepthMm = 2.0;
 inline constexpr double kFirmDepthMm = 5.0;
 
-/// Of the force over a plane, in (0, 1], for a thickness and a radius of the bone in mm, both above 0. Continuous. Less
-/// than 9 mm of tissue and a radius of less than 3 mm were not solved: they count as those. From 20 mm, which was the
-/// thickest, what is missing falls to nothing at kDeepBoneMm.
+/// Share of the force over a plane, in (0, 1], for a thickness and a radius of the bone in mm, both > 0. Continuous.
+/// Less than 9 mm of tissue and a radius of less than 3 mm were not solved: they count as those. From 20 mm, the
+/// thickest that was solved, the share rises to 1 at kDeepBoneMm.
 double shareOverNarrowBone(double thickness_mm, double bone_radius_mm) noexcept;
 
 /// mm, of each place, whose thickness and radius are given; never less than the thickness itself. Load time: some

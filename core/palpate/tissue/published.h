@@ -1,8 +1,8 @@
-// What is published about soft tissue and skin's friction, and what the project takes by default.
+// Published numbers on soft tissue and the friction of skin, and the project's defaults.
 //
 // A small library of numbers with their sources, to be looked at and chosen from. Published stiffness of one tissue
-// spreads over two or three powers of ten, with the method, the load and the person: the defaults bracket people, they
-// represent nobody. docs/reference/tissue-tables.md says so wherever a number is shown.
+// spreads over two or three powers of ten, with the method, the load and the person: the defaults bracket people and
+// represent no individual. docs/reference/tissue-tables.md says so wherever a number is shown.
 #pragma once
 
 #include <span>
@@ -30,7 +30,7 @@ struct PublishedFriction {
   std::string_view source;
 };
 
-/// What a scene takes for a finger: friction_static, friction_kinetic.
+/// Values for a finger's friction_static and friction_kinetic.
 struct FrictionPreset {
   std::string_view name;
   double still = 0.0;

@@ -3,7 +3,7 @@
 // The table is comma-separated, a header and comments are allowed (base/csv.h): q ascends from 0 to 1, the value begins
 // at 1 and ends at 0; in between it may go below 0 (a bulge around the finger).
 // Based on: Fritsch, Butland, "A method for constructing local monotone piecewise cubic interpolants", 1984: no
-// overshoot between the rows, hence no ripples on the skin that nobody measured.
+// overshoot between the rows, hence no ripples on the skin that were not measured.
 #pragma once
 
 #include <filesystem>

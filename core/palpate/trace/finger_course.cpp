@@ -8,7 +8,7 @@ namespace palpate::trace {
 
 namespace {
 
-/// A rate that nobody has must not make a window that fills the memory.
+/// Keeps an absurd tick rate from making a window that fills the memory.
 constexpr double kMaxWindowTicks = 1000.0;
 
 /// Whether so many ticks are missing between two that a run ends there.

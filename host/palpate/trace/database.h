@@ -4,7 +4,7 @@
 // ours), its sizes are limited, and a statement that takes more steps than a file of its size can need is ended. Which
 // tables it may have is known_schema.h's.
 //
-// Everything of a recording file goes through here; nobody else includes sqlite3.h.
+// All access to a recording file goes through here; no other source includes sqlite3.h.
 #pragma once
 
 #include <chrono>
@@ -106,7 +106,7 @@ class Database {
   struct Close {
     void operator()(sqlite3* database) const;
   };
-  /// What a statement may cost, and what ended one.
+  /// Limits the cost of a statement, and keeps the exception that ended one.
   struct Guard {
     std::filesystem::path file;  ///< empty: in memory
     bool reads = false;

@@ -19,14 +19,14 @@
 
 namespace palpate::trace {
 
-/// What of a recording goes where.
+/// Which part of a recording to copy, and where to.
 struct CopySettings {
   TickSpan span;
   std::int64_t later_ticks = 0;   ///< that everything is moved by
   std::uint32_t forgets = 0;      ///< ForgetBits, in the first sample of each finger
   std::uint32_t first_world = 0;  ///< number of this recording's first world in the copy
   bool has_worlds = false;        ///< the writer has them already, all of them
-  // What is to be another in what is copied; may be empty.
+  // Change what is copied; may be empty.
   std::function<void(RecordingWorld& world)> change_world;
   std::function<void(RecordingEvent& event)> change_event;
   bool keeps_files = true;  ///< attachments of the kind file
@@ -47,8 +47,8 @@ Copied copyInto(RecordingWriter& writer, RecordingReader& recording, const CopyS
 /// Throws Error where writing the one would replace the other, whatever their names.
 void refuseSame(const std::filesystem::path& target, const std::filesystem::path& source);
 
-/// A recording that is made of others is there whole or not at all, also when somebody ends the program meanwhile.
-/// Lives longer than its writer.
+/// Leaves a recording made from others complete or not at all, even if the program is ended midway. Must outlive its
+/// writer.
 class WholeOrNothing {
  public:
   WholeOrNothing() = default;
@@ -74,7 +74,7 @@ struct Trimmed {
   std::vector<std::string> not_at_rest;  ///< fingers that nothing can be proven of until they rest
 };
 
-/// A recording of a span of another one; ticks keep their numbers. Throws Error where there is no tick in it.
+/// Copies a span of a recording; ticks keep their numbers. Throws Error if the span holds no tick.
 Trimmed trim(RecordingReader& recording, const TrimSettings& settings, const std::filesystem::path& target,
              const Progress& progress = {});
 

@@ -18,7 +18,7 @@ namespace palpate::trace {
 
 namespace {
 
-/// Ticks that nobody could have felt, from a number that is not a tick's.
+/// A longer hole, 35 years at 1 kHz, can only come from a damaged tick number.
 constexpr std::uint64_t kLongestHole = 1ull << 40;
 
 /// A block as it is put together: its samples are in the new file, or lost.
@@ -30,7 +30,7 @@ struct Piece {
   bool salvaged = false;
 };
 
-/// What is missing of one finger, from its blocks in their order.
+/// Finds the missing ticks of one finger from its blocks in order.
 class Holes {
  public:
   /// `ids_lost` are numbers of blocks of which nothing is known.
@@ -214,8 +214,8 @@ class Repair {
     }
   }
 
-  /// Of a block of which only its time is known: where every part has a block of every finger, as long as nothing is
-  /// dropped, the numbers of the blocks go round the fingers.
+  /// For blocks of which only the time is known. Unless something was dropped, every part has one block per finger, so
+  /// the blocks' numbers cycle through the fingers.
   void findFingers() {
     const auto count = static_cast<std::int64_t>(fingers_.size());
     std::set<std::int64_t> offsets;
@@ -248,7 +248,7 @@ class Repair {
     });
   }
 
-  /// What may have been before the first block and after the last one.
+  /// Notes what may be missing before the first block and after the last one.
   void noteTheEnds() {
     if (remains_.blocks.empty()) return;
     const auto& [first_id, first] = *remains_.blocks.begin();

@@ -17,7 +17,7 @@ namespace palpate::trace {
 
 namespace {
 
-/// Of a part: long enough to be packed well, short enough that a killed program loses next to nothing.
+/// Length of a part: long enough to be packed well, short enough that a killed program loses next to nothing.
 constexpr double kPartS = 0.15;
 
 Database databaseWithTables(const std::filesystem::path& file, const std::filesystem::path& called) {
@@ -26,8 +26,8 @@ Database databaseWithTables(const std::filesystem::path& file, const std::filesy
   return database;
 }
 
-/// Afterwards the file says all by itself. Somebody who reads it meanwhile keeps SQLite from changing its mode, not
-/// from completing it. Throws Error where even that cannot be.
+/// Makes the file complete without its log. A concurrent reader keeps SQLite from changing the journal mode, but not
+/// from completing the file. Throws Error if even that fails.
 void mergeWriteAheadLog(Database& database) {
   try {
     database.run("PRAGMA journal_mode = DELETE");
@@ -38,7 +38,7 @@ void mergeWriteAheadLog(Database& database) {
   }
 }
 
-/// What SQLite keeps beside a file that is written; a full disk or a reader may leave it there.
+/// Removes the files that SQLite keeps next to one being written; a full disk or a reader may leave them there.
 void removeCompanions(const std::filesystem::path& file) {
   std::error_code ignored;
   for (const char* companion : {"-wal", "-shm"}) std::filesystem::remove(withEnding(file, companion), ignored);
@@ -129,7 +129,7 @@ void RecordingWriter::add(const Sample& sample) {
 void RecordingWriter::add(const RecordingEvent& event) { events_.push_back(event); }
 
 void RecordingWriter::flush() {
-  // Unlinked, it would take all that is written, and nobody would find it.
+  // Writes to an unlinked file succeed, but their data is lost.
   std::error_code error;
   if (!std::filesystem::exists(file_.partial(), error))
     throw Error::inFile(file_.partial().string(), "was deleted while it was written");
