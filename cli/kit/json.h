@@ -16,7 +16,7 @@ inline std::string jsonText(const Json& json) { return jsonDump(json, 2) + "\n";
 /// [x, y, z]; mm for a place, unit length for a direction.
 inline Json vectorJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// null means that there is no such number, not that it is zero.
+/// null: the number does not exist, which is not the same as 0.
 template <class Number>
 Json orNull(const std::optional<Number>& number) {
   return number ? Json(*number) : Json(nullptr);

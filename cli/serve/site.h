@@ -1,5 +1,5 @@
-// The page's files, read once into memory: a request is looked up among their names and never becomes a path, so there
-// is no way out of the folder, no list of it, and no later file.
+// The page's files, read once into memory: a request is looked up among their names and never becomes a path, so it
+// cannot leave the folder, list it or reach a file added later.
 #pragma once
 
 #include <cstdint>

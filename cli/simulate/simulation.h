@@ -55,7 +55,7 @@ struct SimulationSettings {
 };
 
 /// Builds the scene, runs it and writes its files into the folder, which is made if needed. A signal ends the run,
-/// whose files are still finished (interruption.h). Throws Error, and Ended when there is no run yet.
+/// whose files are still finished (interruption.h). Throws Error, and Ended for a signal before the run.
 SimulationResult simulate(const scene::Scene& scene, const SimulationSettings& settings, const Progress& progress);
 
 // Output to the user: simulate_report.cpp.

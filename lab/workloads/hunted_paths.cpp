@@ -236,7 +236,7 @@ void crease(PathWriter& w) {
   }
 }
 
-/// An edge that goes through a triangle it has no vertex of; a random place if there is no such edge.
+/// A place where an edge pierces a triangle that it shares no vertex with; a random one if none is found.
 Vec3 pierced(PathWriter& w) {
   const auto& m = w.body.mesh();
   for (int i = 0; i < (w.body.selfIntersecting() ? 400 : 20); ++i) {

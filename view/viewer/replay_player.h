@@ -37,8 +37,8 @@ class ReplayPlayer {
   /// Call for another body: the history belongs to the one before.
   void clear() { history_.clear(); }
 
-  /// Once a frame: advances time, and leaves a recording that is no longer frozen. Returns the moment to show; null:
-  /// the present.
+  /// Advances time, once per frame, and leaves a recording when it is unfrozen. Returns the moment to show; null: the
+  /// present.
   const TouchHistory::Moment* advance(const std::shared_ptr<const scene::World>& world, LiveModel& model,
                                       ViewerState& viewer, double elapsed_s);
 

@@ -65,7 +65,7 @@ struct BoneDepth {
   std::vector<Index> bone;  ///< index into the given bones
 };
 
-/// Depths of the points below, or next to, the bones. Throws Error when there is no bone. Fastest when neighbouring
+/// Depths of the points below, or next to, the bones. Throws Error without bones. Fastest when neighbouring
 /// points follow each other, as vertices of a spatially ordered mesh do.
 BoneDepth depthToBones(std::span<const Vec3> points, std::span<const Bone> bones);
 

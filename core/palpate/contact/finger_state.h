@@ -1,5 +1,5 @@
-// What goes into a tick of the haptic finger, what it remembers, and what comes out: plain data for everyone who
-// records, sends, draws or deforms by what fingers feel. The tick itself is finger.h.
+// Input, memory and output of a tick of the haptic finger: plain data for all code that records, sends, draws or
+// deforms by what fingers feel. The tick itself is finger.h.
 //
 // Lengths in mm, forces in N, in the body's frame.
 #pragma once
@@ -12,7 +12,7 @@
 
 namespace palpate::contact {
 
-/// Of the force, what all terms of relaxation together may take: tissue that gave way altogether would be no tissue.
+/// Largest share of the force that all terms of relaxation may take: tissue never gives way completely.
 inline constexpr double kMaxRelaxation = 0.9;
 
 /// How the force falls while the skin is held: by which share of what it would be at once, and over which time
@@ -27,7 +27,7 @@ struct Relaxation {
 
 struct FingerSettings {
   double radius_mm = 0.0;  ///< 0 is a point, 8 a fingertip
-  /// k_t / k_n. 1 is this engine's choice: tissue has 0.6 to 1.1. 0.23 is no tissue, but lets the skin follow 20 mm at
+  /// k_t / k_n. 1 is this engine's choice: tissue has 0.6 to 1.1. 0.23 is outside it, but lets the skin follow 20 mm at
   /// 10 mm depth, as the dissertation has it (E2).
   double stiffness_ratio = 1.0;
   double mu_static = 0.46;
@@ -80,7 +80,7 @@ struct Dent {
   Index triangle = kNoIndex;  ///< of the mesh
 };
 
-/// What the skin remembers of having been pressed (felt_force.h); zeros without relaxation.
+/// The skin's memory of presses (felt_force.h); zeros without relaxation.
 struct SkinMemory {
   std::array<double, 2> under_mm{};  ///< the eased depth of each term, effective: of the skin under the finger
   std::array<double, 2> left_mm{};   ///< of the dent that it left
@@ -117,7 +117,7 @@ struct FingerState {
   LumpPress lumps = {};  ///< only where there are any
 };
 
-/// What one finger felt in one tick; value-initialised it touches nothing, at the origin.
+/// One finger's output in one tick; value-initialised it touches nothing, at the origin.
 struct FingerOutput {
   Vec3 tip = Vec3::Zero();
   Vec3 proxy =
@@ -137,7 +137,7 @@ struct FingerOutput {
   std::uint32_t status = 0;          ///< StatusBits
   double rest_mm = 0.0;  ///< effective depth at which the skin under the finger would stay by itself; 0 when free
   Dent dent = {};        ///< what the finger left and is still coming back
-  /// Of the world's lumps the one that moves and is nearest, if the finger feels any that moves; kNoIndex: none.
+  /// The nearest of the world's mobile lumps that the finger feels; kNoIndex: none.
   Index lump = kNoIndex;
   Vec2 lump_moved_mm = Vec2::Zero();  ///< how far that one is from its place, across and up (lump_force.h)
   Vec3 lump_force = Vec3::Zero();     ///< of `force`, what the lumps add, N

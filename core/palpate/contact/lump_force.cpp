@@ -8,15 +8,15 @@ namespace palpate::contact {
 
 namespace {
 
-/// Nearer than this to the axis, mm, there is no direction away from it; the push sideways is 0 there.
+/// Nearer than this to the axis, mm, the direction away from it is undefined; the push sideways is 0 there.
 constexpr double kOnAxisMm = 1e-9;
 
 Vec2 placeOf(const LumpPlaces* places, std::size_t lump) noexcept {
   return places == nullptr ? Vec2(0.0, 0.0) : places->moved_mm[lump];
 }
 
-/// Of the whole push, what a press feels whose normal leans so far from the lump's axis: all of it up to 60 degrees,
-/// nothing from 90 degrees on. The other side of a finger lies over the same axis and has nothing to do with the lump.
+/// Share of the push felt by a press whose normal leans from the lump's axis: all of it up to 60 degrees, nothing from
+/// 90 degrees on. The other side of a finger lies over the same axis and has nothing to do with the lump.
 double facing(const Lump& lump, const Vec3& normal) noexcept {
   constexpr double kWhole = 0.5;  // cosine
   const double cosine = normal.dot(lump.axis);

@@ -22,7 +22,7 @@
 #ifndef PALPATE_FLOAT_SLACK
 #define PALPATE_FLOAT_SLACK
 namespace palpate::contact {
-/// Of the farthest coordinate: more than all roundings of a distance between floats.
+/// Relative to the farthest coordinate: more than all rounding in a distance between floats.
 inline constexpr float kFloatSlack = 1e-6f;
 }  // namespace palpate::contact
 #endif
@@ -42,7 +42,7 @@ HWY_INLINE std::uint32_t bitsOf(F d, Mask mask) {
   return bits[0];
 }
 
-/// Of the point above the planes of the lanes from `lane` on.
+/// Height of the point above the planes of the lanes from `lane` on.
 HWY_INLINE V heightOver(const SkinBlock::Plane& plane, V x, V y, V z, int lane) {
   const F d;
   const V sum =
@@ -180,7 +180,7 @@ Vec3 meanNormal(std::span<const tree::TriangleRecord> records) {
   return sum.squaredNorm() > 0.5 ? sum : Vec3::UnitZ();
 }
 
-/// Of some boxes across the facing the one of the smallest area.
+/// Chooses the box with the smallest area among several turned about the facing.
 void setBox(std::span<const tree::TriangleRecord> records, SkinBlock& block) {
   // Within a right angle; a box turned by a right angle is the same.
   constexpr std::array<std::array<double, 2>, 6> kTurns = {{{1, 0}, {3, 1}, {2, 1}, {1, 1}, {1, 2}, {1, 3}}};
@@ -221,7 +221,7 @@ void fillBlock(std::span<const tree::TriangleRecord> records, SkinBlock& block) 
   }
 }
 
-/// False when there is no room.
+/// False when `skin` is full.
 bool addBlock(std::uint32_t b, NearbySkin& skin) {
   if (skin.blocks > 0 && skin.block[static_cast<std::size_t>(skin.blocks - 1)] == b) return true;
   if (skin.blocks == NearbySkin::kMaxBlocks) return false;
@@ -280,7 +280,7 @@ bool gatherBelow(const tree::TriangleTree& tree, const tree::PointQuery& query, 
   return true;
 }
 
-/// Of the margin, how far ahead of a moving finger the skin is gathered.
+/// The share of the margin by which the skin is gathered ahead of a moving finger.
 constexpr double kShareAhead = 0.5;
 /// Blocks that are gathered where there is a choice: of fewer the margin grows, of more it shrinks.
 constexpr int kFewBlocks = 30;
@@ -332,7 +332,7 @@ bool gatherSkin(const SkinPlanes& planes, const Vec3& middle, double reach, Near
 }
 
 double profitableMargin(std::size_t pads, double step_mm) noexcept {
-  // What is left of the margin must hold for the next tick, too.
+  // The rest of the margin must hold for the next tick, too.
   const double ticks = kGatheringCost / static_cast<double>(pads) + 2.0;
   return ticks * step_mm / (1.0 + kShareAhead);
 }
@@ -369,7 +369,7 @@ bool visitedBefore(const NearbySkin& skin, const tree::PointQuery& query, Index 
   float bounds[tree::kNodeWidth];
   const tree::TriangleTree& tree = skin.planes->geometry->tree;
   tree::squaredDistanceBoundsOfMinima(tree.nodes[skin.nodes[a->parent].node], query, bounds);
-  // Of children equally near the last one lies on top (tree::detail::pushNearestLast).
+  // Among equally near children the last one is on top (tree::detail::pushNearestLast).
   return bounds[a->slot] < bounds[b->slot] || (bounds[a->slot] == bounds[b->slot] && a->slot > b->slot);
 }
 

@@ -64,8 +64,8 @@ WalkResult walkOverCracks(const Surface& surface, const SurfacePoint& from, cons
   return walk;
 }
 
-/// True when the tip has left the skin at the proxy. A proxy that is still on its way is no judge: then the end of the
-/// walk is asked, and only if that agrees the proxy goes there.
+/// True when the tip has left the skin at the proxy. While the proxy is still on its way, the tip must have left the
+/// skin at the end of the walk, too; only then does the proxy go there.
 bool released(const Surface& surface, const WalkResult& walk, const Vec3& tip, FingerState& state) {
   const bool over_crack = walk.at_crack && (tip - walk.at.position).norm() > crackWidth(*surface.geometry);
   if (!(over_crack ? inFrontOfBank(surface, walk.at, tip) : inFrontOf(surface, walk.at, tip))) return false;

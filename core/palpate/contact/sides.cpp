@@ -22,7 +22,7 @@ constexpr double kSurelyInside = 0.9;
 /// all directions. Above this, of which a third may be the number's own 0.05, it may be the side of a sheet.
 constexpr double kSurelyNoSheet = 0.15;
 
-/// The way from a place of the skin begins this share of it off the place, so that the place itself is no obstacle.
+/// The way from a place of the skin begins this share of it off the place, so that the place itself does not block it.
 constexpr double kOffThePlace = 1e-6;
 
 /// Inside an open body: the openings take less than a quarter of all directions, and the number may be 0.05 too small.

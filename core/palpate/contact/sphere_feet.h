@@ -1,8 +1,8 @@
 // Where a sphere stands on the skin: the local minima of the distance from its centre, its feet.
 //
-// A sheet is felt from its front only, so a place seen from behind is no foot. At a border the sheet counts as going on
-// flat: a sphere there keeps its height instead of rolling round the edge and under the sheet (the force fades,
-// border.h).
+// A sheet is felt from its front only, so a place seen from behind cannot be a foot. At a border the sheet counts as
+// going on flat: a sphere there keeps its height instead of rolling round the edge and under the sheet (the force
+// fades, border.h).
 #pragma once
 
 #include <array>
@@ -42,8 +42,8 @@ struct Feet {
   int lowest() const;
 };
 
-/// What a place of the skin is to a sphere. False when the centre is behind it; a centre on the skin, to rounding,
-/// counts as in front, as it does in the crossing test.
+/// Fills `foot` for a sphere over a place of the skin. False when the centre is behind it; a centre on the skin, to
+/// rounding, counts as in front, as it does in the crossing test.
 bool standsOn(const Surface& surface, const SurfacePoint& place, const Vec3& centre, Foot& foot) noexcept;
 
 /// Fills `feet` with those nearer to the centre than `reach`. `nearby`, here and below: what is near, gathered before,
@@ -74,7 +74,7 @@ HalfSpace offsetHalfSpace(const Foot& foot, double radius) noexcept;
 // bound. So the sphere cannot fall through and cannot swing, whatever happens: when the rounds are used up, the centre
 // is still at a good place and the next tick goes on from there.
 
-/// What does not change during one tick.
+/// Constant during one tick.
 struct SphereTask {
   const Surface& surface;
   double radius;

@@ -157,8 +157,8 @@ bool fitsByFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) {
   return !anyFootLower(task.surface, to, height, task.nearby) && isFreeWay(task, from, to);
 }
 
-/// Whether a sphere that is beyond a border has skin under it again that is no border: the other bank of a hole. Then
-/// that holds it, and the sheet continued flat does not.
+/// Whether a sphere beyond a border has skin under it again, away from any border: the other bank of a hole. That bank
+/// then holds it instead of the sheet continued flat.
 bool hasSkinAgain(const SphereTask& task, const SurfacePoint& border, const Vec3& centre) {
   if (!(beyondBorder(task.surface, border, task.tip) > 0.0)) return false;
   Feet feet;
@@ -286,7 +286,7 @@ bool hasFallenIn(const SphereTask& task, const Move& move, const FingerState& st
          isInside(task.surface, state, task.start, task.tip, task.radius + task.path);
 }
 
-/// What ends a contact.
+/// Why a contact ends.
 enum class Ending { none, reached, at_border, in_air };
 
 /// Moves the sphere in contact, and says whether the contact ends with that.
@@ -322,8 +322,8 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   }
   Press press;
   Ending ending = pressOnce(surface, settings, radius, tip, state, press, nearby);
-  // What a border lets go may have come through the skin elsewhere on the way of this tick, and so may a tip that its
-  // sphere has reached through an opening.
+  // A tip that a border releases may have come through the skin elsewhere on its way in this tick, and so may one that
+  // its sphere has reached through an opening.
   const bool leaves_border = ending == Ending::at_border || (ending == Ending::reached && !surface.geometry->closed);
   const auto came_through = [&] {
     return tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip).triangle != kNoIndex;

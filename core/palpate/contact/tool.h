@@ -15,9 +15,9 @@
 // times as stiff as one. Pad::share weighs each pad's force in the wrench (never in FingerOutput); a stiffness in N/mm
 // is that of a whole finger. See tool_shapes.h for how shares are chosen.
 //
-// What this is not. Proxies move independently: on a limb thinner than the tool two pads may rest on different sides,
-// and a ridge may lie between two pads unfelt by either. The skin does not carry a dent from one pad to the next, so
-// pressure is no better spread than the shares say. Between pads there is nothing: spacing decides what is missed.
+// Limits. Proxies move independently: on a limb thinner than the tool two pads may rest on different sides, and a ridge
+// may lie between two pads unfelt by either. The skin does not carry a dent from one pad to the next, so only the
+// shares spread the pressure. Nothing is felt between pads: their spacing decides what is missed.
 #pragma once
 
 #include <memory>

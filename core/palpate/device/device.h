@@ -35,7 +35,7 @@ enum NoteBit : std::uint32_t {
   kForceLimited = 1u << 3,      ///< another complaint about the force: an impulse, a ramp
 };
 
-/// Returned by read_tip where there is no position: not a number.
+/// Returned by read_tip when the position is unknown: NaN.
 inline const Vec3 kNoPlace = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
 
 /// A position may be this many ticks old and is still one; a force is forgotten likewise.

@@ -63,7 +63,7 @@ std::vector<Triangle> makePieces(const TriangleMesh& mesh, const Triangle& t, st
   return pieces;
 }
 
-/// The same for a single side, where there is no choice.
+/// The same for vertices on a single side, which leave only one way to cut.
 std::vector<Triangle> makeFan(const Triangle& t, const SideSplit& split) {
   const std::size_t side = split.half_edge % 3;
   const Index tip = t[(side + 2) % 3];

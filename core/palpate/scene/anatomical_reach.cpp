@@ -15,10 +15,10 @@ namespace palpate::scene {
 namespace {
 
 constexpr std::size_t kDirections = std::tuple_size_v<DirectedFactors>;
-/// Of the reach of a drag, a radian of fold: which the drag pulls open or shut, or along which it goes.
+/// Shares of a drag's reach that a radian of fold costs: across the fold, which it pulls open or shut, and along it.
 constexpr double kFoldCost = 0.6;
 constexpr double kFoldCostAlong = 0.2;
-/// A hollow that turns by less than this (radian) is no fold.
+/// A hollow must turn by at least this (radian) to be a fold.
 constexpr double kNoFold = 0.15;
 /// Ways are told by chords of about this length: what is finer is relief.
 constexpr double kChordMm = 4.0;
@@ -26,7 +26,7 @@ constexpr double kChordMm = 4.0;
 constexpr double kMinFactor = 0.25;
 constexpr double kMaxFactor = 1.6;
 constexpr double kFarBoneMm = 1e3;
-/// Of the tissue at rest, what the skin goes down by at most.
+/// The skin goes down by at most this share of the tissue at rest.
 constexpr double kMaxOfTissue = 0.9;
 
 /// Where the skin goes down by 2 mm of a press of 8, as a share of the region.
@@ -46,7 +46,7 @@ std::vector<float> logarithms(std::span<const float> values) {
   return logs;
 }
 
-/// How much a fold takes, chord by chord: the turn of a whole hollow counts, less what is no fold.
+/// The cost of a fold, chord by chord: the turn of a whole hollow counts, less kNoFold.
 class FoldCost {
  public:
   explicit FoldCost(double each_rad) : each_rad_(each_rad) {}
@@ -74,7 +74,7 @@ class FoldCost {
   bool started_ = false;
 };
 
-/// Of the angle between a unit vector and another; 1 for one of no length.
+/// `other` may have any length; 1 if it is zero.
 double squaredCosine(const Vec3& unit, const Vec3& other) noexcept {
   const double length2 = other.squaredNorm();
   return length2 > 0.0 ? unit.dot(other) * unit.dot(other) / length2 : 1.0;
@@ -156,7 +156,7 @@ struct AnatomicalReach::Way {
   Growing press, drag;  ///< what is not asked for is done
 
   bool done() const { return press.done() && drag.done(); }
-  /// Of a drag where the tissue is this thick.
+  /// How far a drag reaches where the tissue is this thick.
   double dragReach(const Rates& rates) const { return drag_mm * rates.drag_mm / here.drag_mm; }
   void goOn(double from_mm, const Rates& rates) noexcept {
     press.goOn(from_mm, rates.press_mm);

@@ -25,9 +25,8 @@ constexpr auto kCorrected = ByDefault::corrected;
 constexpr auto kAsPrinted = ByDefault::as_printed;
 constexpr auto kOwnChoice = ByDefault::own_choice;
 
-// A row: which, how bad, what brings the printed form back, what stands by default; what is printed, what the engine
-// does instead; and last what the switch acts on, the name of the setting, or why there is no switch
-// (ErratumText::choice).
+// A row: erratum, severity, how to get the printed form, the default; what is printed, what the engine does instead;
+// and last what the switch acts on, the name of the setting, or why it cannot be switched (ErratumText::choice).
 constexpr std::array<ErratumText, kErrata> kTexts = {{
     {Erratum::E1_anchor, kWrong, kSwitch, kCorrected,
      "(2.5), (2.6): the anchor as P - (F_t/F_n) P_d with all symbols vectors lies on the normal line",

@@ -27,7 +27,7 @@ enum class LiteralForm : std::uint8_t {
   none,        ///< no printed form that could be computed, or nothing to compute
 };
 
-/// What the engine does where a scene says nothing.
+/// The form that the engine uses unless the scene chooses one.
 enum class ByDefault : std::uint8_t {
   corrected,   ///< what the erratum says instead of the text
   as_printed,  ///< the text's form, though the erratum doubts it
@@ -44,7 +44,7 @@ struct ErratumText {
   ByDefault by_default = ByDefault::corrected;
   std::string_view printed;  ///< what the text says or leaves open
   std::string_view ours;     ///< what the engine does
-  std::string_view choice;   ///< switchable: what the switch acts on. setting: its name. none: why there is no switch
+  std::string_view choice;   ///< switchable: what the switch acts on. setting: its name. none: why it has no switch
 };
 
 /// All of them, in order: errata()[0] is E1.

@@ -14,7 +14,7 @@
 
 namespace palpate::tissue {
 
-/// What a stiffness map tells is the force at this depth over it, mm. The single Hooke stiffness that fits presses of 2
+/// A stiffness map holds the force at this depth over the depth, mm. The single Hooke stiffness that fits presses of 2
 /// to 10 mm best is right at about 8 mm, so a map measured with one number per place means this depth.
 inline constexpr double kReferenceDepthMm = 8.0;
 
@@ -35,7 +35,7 @@ struct LayeredForce {
   static constexpr std::uint32_t kRows = 16;
   static constexpr std::uint32_t kDepths = 33;
   static constexpr double kDepthStepMm = 0.5;
-  std::uint32_t rows = 0;                  ///< 0: there is no layered tissue, and the law is Hooke's; 1; or kRows
+  std::uint32_t rows = 0;                  ///< 0 (without layered tissue: the law is Hooke's), 1 or kRows
   double thinnest_mm = 0.0;                ///< of the tissue over the bone, in the first row
   double inverse_step = 0.0;               ///< what 1 / thickness falls by from row to row, 1/mm
   std::array<double, kRows> tangential{};  ///< k_t / k_n
@@ -80,14 +80,14 @@ struct ForceLaw {
   LayeredForce layers = {};
 };
 
-/// What the skin answers to one depth.
+/// The skin's response to one depth.
 struct Response {
   double force_n = 0.0;          ///< normal force, >= 0
   double secant_n_per_mm = 0.0;  ///< F / d: the stiffness of the spring that pushes as hard at this depth
   double tangential = 1.0;       ///< what the skin's own layers make of k_t / k_n; 1 without them
 };
 
-/// What only the layered law asks for. Beyond its rows and radii the first or last counts.
+/// Used by the layered law only. Beyond its rows and radii the first or last counts.
 struct PressedPlace {
   double tissue_mm = 0.0;  ///< thickness over the bone
   double finger_mm = 0.0;  ///< radius of the finger; 0: a point
@@ -114,7 +114,7 @@ inline Response respond(const ForceLaw& law, double stiffness_n_per_mm, double d
   return {secant * depth_mm, secant, detail::tangentialRatio(law, place.tissue_mm)};
 }
 
-/// Of a point.
+/// The response to a point.
 inline Response respond(const ForceLaw& law, double stiffness_n_per_mm, double depth_mm,
                         double tissue_mm = 0.0) noexcept {
   return respond(law, stiffness_n_per_mm, depth_mm, PressedPlace{.tissue_mm = tissue_mm});

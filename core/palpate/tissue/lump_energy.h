@@ -53,8 +53,8 @@ struct WeightedField {
   double share = 1.0;
 };
 
-/// What the total force on the axis is to be multiplied by at a depth: from a solve of the lump itself
-/// (`lumps = "solved"`). Depths increasing; straight between them, constant beyond.
+/// A factor for the force on the axis at a depth, from a solve of the lump itself (`lumps = "solved"`). Depths
+/// increasing; straight between them, constant beyond.
 struct ForceCorrection {
   double depth_mm = 0.0;
   double factor = 1.0;  ///< of the extra force
@@ -100,7 +100,7 @@ class LumpEnergy {
   LumpSlopes slopesAt(double rho_mm, double depth_mm) const noexcept;
   double forceAt(double rho_mm, double depth_mm) const noexcept;
 
-  double reachMm() const noexcept;    ///< where the lump is no longer felt: 30 mm + a from its axis
+  double reachMm() const noexcept;    ///< the lump is felt up to here: 30 mm + a from its axis
   double deepestMm() const noexcept;  ///< last depth of the table
   double radiusMm() const noexcept;   ///< a
   LumpSteepness steepest() const noexcept;

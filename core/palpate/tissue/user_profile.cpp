@@ -21,10 +21,10 @@ namespace {
 /// A hundred thousand rows fit.
 constexpr std::size_t kMaxProfileBytes = 1'000'000;
 
-/// A profile is 1 in the middle and 0 at the rim; a bulge or a dent between them is no larger than this.
+/// A profile is 1 in the middle and 0 at the rim; bulges and dents between them stay within this range.
 constexpr NumberRange kKnotValues{-100.0, 100.0};
 
-/// What is wrong with a row, seen with the one before it; nothing when it is fine.
+/// The fault of a row, given the one before it; nothing if the row is valid.
 std::optional<std::string> findFault(const ProfileKnot& knot, const ProfileKnot* before) {
   if (!std::isfinite(knot.q) || !std::isfinite(knot.value)) return "q and value must be finite";
   if (!kKnotValues.holds(knot.value)) return "value = " + outOfRange(fmt::format("{}", knot.value), kKnotValues);

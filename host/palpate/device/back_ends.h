@@ -34,7 +34,7 @@ struct OpenOptions {
   double tick_s = 0.001;          ///< servo's tick
   /// False: a blocking driver gets no thread, Device::exchange is called instead, once a driver's tick.
   bool own_thread = true;
-  const std::atomic<bool>* give_up = nullptr;     ///< true: the first position is no longer wanted
+  const std::atomic<bool>* give_up = nullptr;     ///< true: stop waiting for the first position
   std::shared_ptr<const std::vector<Vec3>> tips;  ///< tips of `script`
   MouseLink* mouse = nullptr;                     ///< link of `mouse`; must outlive the device
   std::filesystem::path system_root = "/";        ///< where /sys and /dev are looked for

@@ -22,7 +22,7 @@ struct MoreColumns {
 /// cannot be created or written.
 class ForcesCsvWriter {
  public:
-  /// `unfinished`: what becomes of the rows when there is no commit.
+  /// `unfinished`: what happens to the rows without a commit.
   ForcesCsvWriter(const std::filesystem::path& file, ForcesCsvSettings settings,
                   OutputFile::Unfinished unfinished = OutputFile::Unfinished::remove, MoreColumns more = {});
   void add(const Sample& sample);

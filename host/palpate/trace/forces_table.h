@@ -29,7 +29,7 @@ struct ForcesRow {
 
 /// Calls `visit` for every row of the file, in its order. Throws Error (file:line: cause) for another header, a wrong
 /// number of fields, a row that breaks off, a field that is not what its column holds, and for a table without rows.
-/// Of an unfinished table a torn last row is left out.
+/// A torn last row of an unfinished table is skipped.
 void forEachForcesRow(const std::filesystem::path& file, const std::function<void(const ForcesRow&)>& visit);
 /// The same from text; `name` stands for the file in messages.
 void forEachForcesRow(std::string_view text, std::string_view name, const std::function<void(const ForcesRow&)>& visit);
@@ -43,8 +43,8 @@ struct RecordedFinger {
 };
 
 /// In the order of their first rows. Throws Error (file:line: cause) for another header, a wrong number of fields, a
-/// field that is no finite number, time that does not increase for a finger, and for a table without rows.
-/// Of an unfinished table a torn last row is left out.
+/// field that is not a finite number, time that does not increase for a finger, and for a table without rows.
+/// A torn last row of an unfinished table is skipped.
 std::vector<RecordedFinger> readForcesTable(const std::filesystem::path& file);
 /// The same from text; `name` stands for the file in messages.
 std::vector<RecordedFinger> parseForcesTable(std::string_view text, std::string_view name);

@@ -47,7 +47,7 @@ bool isRecording(const std::filesystem::path& file);
 
 class RecordingReader {
  public:
-  /// Throws Error (file: cause) for what is no recording, is damaged, or of a later version.
+  /// Throws Error (file: cause) if the file is not a recording, is damaged or has a later version.
   explicit RecordingReader(const std::filesystem::path& file);
 
   const RecordingFacts& facts() const { return facts_; }

@@ -1,5 +1,5 @@
-// What is in a recording file: an SQLite database of this application, whose tables are described in
-// docs/reference/recordings.md.
+// The content of a recording file: an SQLite database of this application. docs/reference/recordings.md describes its
+// tables.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@ namespace palpate::trace {
 /// "Palp": the application id of the file.
 inline constexpr std::int64_t kRecordingApplication = 0x50616c70;
 
-/// Of the tables and of what their texts mean; counts up whenever that changes. Files of every version are read for
-/// ever.
+/// Version of the tables and of the meaning of their texts; counts up when either changes. Files of every version stay
+/// readable.
 inline constexpr std::int64_t kRecordingVersion = 6;
 
 /// Fingers of a recording: more than any rig has, so that a row that says more is damage.
@@ -21,8 +21,8 @@ inline constexpr std::int64_t kMaxFingers = 1000;
 /// Makes the tables in an empty file. Throws Error.
 void makeRecordingTables(Database& database);
 
-/// The version of its tables. Throws Error for a file that is no recording, for one of a later version, and for one
-/// that holds more, or something else, than the tables and indexes of a recording (known_schema.h).
+/// The version of its tables. Throws Error for a file that is not a recording, for one of a later version, and for one
+/// that holds anything but the tables and indexes of a recording (known_schema.h).
 std::int64_t checkRecording(Database& database);
 
 /// A scene's text as it is meant today, from a file of that version: before version 3 a scene that named no kind of

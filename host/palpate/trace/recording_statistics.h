@@ -1,4 +1,4 @@
-// What a recording was, in numbers: forces, depths and speeds of each finger, contacts, search and palpation,
+// A recording in numbers: forces, depths and speeds of each finger, contacts, search and palpation,
 // what the limiter did, which ticks are missing, and the places that were touched.
 //
 //   RecordingReader ─ ticks ─► RecordingMeasurement ─► RecordingStatistics ─► `palpate recording report`
@@ -50,7 +50,7 @@ class PlaceCollector {
   void add(const Sample& sample);
   /// By world, finger, triangle, cell.
   std::vector<TouchedPlace> places() const;
-  /// Ticks whose place found no room or is no number.
+  /// Ticks whose place found no room or is not a plausible number.
   std::uint64_t leftOut() const { return left_out_; }
 
  private:
@@ -90,7 +90,7 @@ struct TouchedSurface {
 TouchedSurface touchedSurface(const mesh::TriangleMesh& skin, std::span<const TouchedPlace> places,
                               std::span<const double> reach_mm);
 
-/// Of contacts, of phases, of changed worlds: more are counted, not listed.
+/// Length of the lists of contacts, phases and changed worlds: more are counted, not listed.
 inline constexpr std::size_t kMaxListed = 5000;
 
 /// One bit of a status.

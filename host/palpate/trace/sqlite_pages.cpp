@@ -85,7 +85,7 @@ RawValue valueOf(std::uint64_t type, std::string_view bytes) {
   return value;
 }
 
-/// `size` is that of the whole record, of which `bytes` may be the beginning only. False for what is no record.
+/// `size` is that of the whole record, of which `bytes` may be only the beginning. False if it is not a record.
 bool readRecord(std::string_view bytes, std::uint64_t size, RawRow& row) {
   std::size_t at = 0;
   const auto header = varint(bytes, at);

@@ -13,12 +13,12 @@ namespace palpate::trace {
 
 namespace {
 
-/// Farther out than this (mm) there is no body.
+/// No body extends farther out than this, mm.
 constexpr double kFarthestPlaceMm = 1e6;
 /// No side of a triangle that is touched is longer than this share of the reach: a fingertip's edge is then some
 /// 25 pieces long.
 constexpr double kPieceShare = 0.25;
-/// Of the whole skin; a mesh that would need more is cut more coarsely.
+/// For the whole skin; a mesh that would need more is cut more coarsely.
 constexpr std::size_t kMaxPieces = 200'000;
 constexpr int kMaxCuts = 8;
 
@@ -36,7 +36,7 @@ Vec3 triangleAreaVector2(const mesh::TriangleMesh& mesh, const Triangle& t) {
   return mesh::areaVector2(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
 }
 
-/// What lies within the reach of a place, by the tree's records.
+/// The skin within the reach of any place.
 struct Reached {
   std::vector<bool> triangles;  ///< of the skin
   std::vector<Vec3> normals;    ///< at each place, not of unit length; zero: the place lies on no skin

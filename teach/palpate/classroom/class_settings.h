@@ -72,7 +72,7 @@ bool isStationName(std::string_view text);
 
 /// The file of the class's secret, in the class's folder and in each station's: 64 hex digits, its owner's alone.
 inline constexpr const char* kTraineeKeyFile = "trainees.key";
-/// Throws Error for a file that does not hold a key; empty if there is no file.
+/// Throws Error if the file does not hold a key; empty if it does not exist.
 std::string readTraineeKey(const std::filesystem::path& folder);
 
 /// Any computer makes the same of the same names.

@@ -47,7 +47,7 @@ class Renderer {
   /// Uploads everything: after a surface that this renderer has not followed from rest.
   void updateAll(const deform::DeformedSurface& surface);
 
-  /// The field of a colouring when it is no longer the world's: one value per vertex.
+  /// Replaces the world's own field of a colouring: one value per vertex.
   void setField(Colouring colouring, std::span<const float> values);
   /// The partition for overlays; null restores the world's own, which is built when first shown.
   void setPartition(std::shared_ptr<const hdb::Partition> partition, const Vec3& box_edges_mm);

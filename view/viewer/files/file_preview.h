@@ -23,7 +23,7 @@ struct PreviewLimits {
 };
 
 struct FilePreview {
-  std::string words;                    ///< "59164 triangles, 430 x 720 x 240 mm", or why there is no picture
+  std::string words;                    ///< "59164 triangles, 430 x 720 x 240 mm", or why the picture is missing
   std::optional<view::Image> picture;   ///< for a mesh, or for the mesh that a scene names
   std::optional<double> longest_units;  ///< for a mesh file without a unit: its longest edge, in units of the file
   std::vector<std::string> notes = {};  ///< for a mesh: lines on what was passed over or guessed while it was read

@@ -146,7 +146,7 @@ RecordedTouch touchOfScript(const std::shared_ptr<const scene::World>& world, co
 
 namespace {
 
-/// Thrown at a report of progress when the result is no longer needed.
+/// Thrown from a progress report to cancel the read.
 struct GivenUp {};
 
 }  // namespace

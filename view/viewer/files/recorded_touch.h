@@ -80,8 +80,8 @@ class ReplayLoader {
 //
 //   NAME.session ─ read on its own thread ─► RecordedTouch ─► frozen picture, plots, marks on the bar
 
-/// The newest part of it that is no longer than kLongestReplayS and on one body, as recorded: only the body is
-/// computed. Throws Error when the file cannot be read or the body cannot be built.
+/// The newest part of it on one body, at most kLongestReplayS long, as recorded: only the body is computed. Throws
+/// Error when the file cannot be read or the body cannot be built.
 RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& progress = {});
 
 }  // namespace palpate::viewer

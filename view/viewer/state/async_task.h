@@ -34,7 +34,7 @@ class AsyncTask {
   }
   struct Result {
     std::optional<T> value = {};
-    std::string error = {};  ///< why there is no value
+    std::string error = {};  ///< why `value` is empty
   };
   /// Returns the result once.
   std::optional<Result> take() {

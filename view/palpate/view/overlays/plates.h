@@ -54,7 +54,7 @@ void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, const
 struct NameTag {
   Vec2f dot = Vec2f::Zero();   ///< the place on the page
   Vec2f size = Vec2f::Zero();  ///< size of its plate
-  int rank = 0;                ///< where there is no room, the highest ranks go first
+  int rank = 0;                ///< where room is short, the highest ranks are dropped first
   bool in_middle = false;      ///< on the spine: while it is upright, all of these go to one side
 };
 

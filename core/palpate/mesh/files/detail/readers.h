@@ -30,7 +30,7 @@ TriangleMesh readStl(const MeshFile& file);
 /// Asked for `channels`, it notes numbers and colours, a vertex of the mesh each.
 TriangleMesh readPly(const MeshFile& file, VertexChannels* channels = nullptr);
 TriangleMesh readOff(const MeshFile& file);
-/// Detection of a format is no stricter than its reader.
+/// True for at least every file that the format's reader accepts.
 bool beginsAsOff(std::string_view bytes);
 bool beginsAsPly(std::string_view bytes);
 TriangleMesh readGltf(const MeshFile& file, TexturePlaces* places = nullptr);
