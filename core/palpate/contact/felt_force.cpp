@@ -4,7 +4,7 @@
 // anchor when the ratio is 1, A = P + (p / F_n) F_t (E1), under every force law, and the friction limits
 // mu F_n / k_t = mu p / ratio are lengths that do not depend on the law.
 //
-// What is felt is continuous by construction. Tip and proxy move apart by at most feltBound in a tick, so the depth as
+// The force is continuous by construction. Tip and proxy move apart by at most feltBound in a tick, so the depth as
 // a vector does not change faster either, and where it would (the contact ended far from its proxy) it follows at that
 // pace; friction takes of its own change what the normal force leaves of the step.
 //
@@ -25,8 +25,8 @@ namespace {
 /// A tip this many diagonals away is a broken device, and would overflow the exact predicates in the end.
 constexpr double kFarthestTip = 1e6;
 
-/// What friction may take of the step. More (a mu_static above 2.3) would keep a first contact from being felt whole,
-/// for which the step has to reach as far as the tip moved; friction's own steps may then pass the bound.
+/// Friction divides the step by at most this. More (a mu_static above 2.3) would keep a first contact from being felt
+/// whole, for which the step has to reach as far as the tip moved; friction's own steps may then pass the bound.
 constexpr double kMaxFriction = 2.5;
 
 /// A step within this share of its bound is within it: rounding of two norms.
@@ -75,7 +75,7 @@ bool followPress(const Surface& surface, double most_mm, const Vec3& tip, Press&
   return press.felt_depth_mm > 0.0;
 }
 
-/// What the surface's lumps add to a press that relaxation leaves this share of.
+/// Adds the surface's lumps to a press; `share` is what relaxation leaves of it.
 void addLumps(const Surface& surface, const LumpPlaces* places, const Press& press, double share, double normal_n,
               FingerState& state, FingerOutput& output) noexcept {
   state.lumps = {output.tip, press.normal, press.felt_depth_mm, share};

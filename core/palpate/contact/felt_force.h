@@ -20,8 +20,8 @@ FingerOutput freeOutput(const Vec3& tip) noexcept;
 /// The answer to a tip that is not usable: no force, the state as it was.
 FingerOutput lostOutput(const FingerState& state) noexcept;
 
-/// What a finger that moved by `tip_moved_mm` to `tip` and presses so reports: normal force by the surface's force law
-/// and friction, together in newton. Moves the anchor in `state`. No tick changes the force by more than stiffness
+/// Output of a finger that moved by `tip_moved_mm` to `tip` and presses like this: normal force by the surface's force
+/// law and friction, together in newton. Moves the anchor in `state`. No tick changes the force by more than stiffness
 /// times feltBound: a press that has ended at once (the tip came out on another side) fades. What lumps add comes on
 /// top and is as steep as they are (tissue::LumpEnergy::steepest). `lumps`: where they lie, or null.
 FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, Press press, const Vec3& tip,
@@ -64,7 +64,7 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
 /// skin as it was (deform::TissueSettings::normal_radius_mm).
 inline constexpr double kDentReachMm = 13.0;
 
-/// What relaxation makes of a tick's response.
+/// A tick's response after relaxation.
 struct Relaxed {
   double rest_mm = 0.0;          ///< sum g_i x_i: the effective depth at which the skin would stay
   double change_mm = 0.0;        ///< how far that moved since the last tick, not less

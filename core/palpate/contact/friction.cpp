@@ -4,8 +4,8 @@
 // limit is the dynamic one until the pull falls below it by itself, so kinetic friction is exactly its coefficient at
 // any speed; without the flag the ratio would saw between the two coefficients.
 //
-// What pulls is a point in space. An anchor that must lie on the skin cannot always lie where the pull ended, and the
-// next tick would see another pull: steps of newtons while the tip hardly moves.
+// Friction pulls towards a point in space. An anchor that must lie on the skin cannot always lie where the pull ended,
+// and the next tick would see another pull: steps of newtons while the tip hardly moves.
 //
 // Based on: Coulomb's law; Hayward and Armstrong, "A new computational model of friction applied to haptic rendering"
 // (2000) for friction by displacement; Ji (2008), 2.2 for the anchor.
@@ -20,7 +20,7 @@ namespace palpate::contact {
 
 namespace {
 
-/// Of an offset's tangential part: an offset up to 60 degrees off the skin counts whole.
+/// As a multiple of an offset's tangential part: an offset up to 60 degrees off the skin counts whole.
 constexpr double kMaxStretch = 2.0;
 
 /// The place of the skin nearest to `target`, found from where the anchor was; from the proxy when the proxy has moved
@@ -34,8 +34,8 @@ SurfacePoint dragged(const Surface& surface, const FingerState& state, const Vec
   return walkToNearest(surface, state.proxy, target, pull_mm).at;
 }
 
-/// Of the pulls between the requested one and the one that would change the force least, the first that keeps the step.
-/// The latter lies in the friction cone too (`longest_mm`), which comes before the step.
+/// Moves the requested pull towards the one that changes the force least, as far as the step needs. That one lies in
+/// the friction cone too (`longest_mm`), which takes precedence over the step.
 Vec3 withinStep(const Pressure& press, const Vec3& request, double longest_mm, double most_n,
                 const Vec3& force_before) {
   const double stiffness = press.tangential_n_per_mm;

@@ -7,7 +7,7 @@
 
 namespace palpate::contact {
 
-/// What holds the tip sideways.
+/// How the skin holds the tip sideways.
 struct Grip {
   Vec3 pull = Vec3::Zero();  ///< u, mm, tangential: k_t u is the friction force on the tip
   bool slipping = false;
@@ -30,7 +30,7 @@ struct Pressure {
   double tangential_n_per_mm;  ///< k_t
 };
 
-/// What holds the tip in this tick.
+/// The tip's hold in this tick.
 struct Hold {
   Vec3 pull = Vec3::Zero();
   bool settled = true;  ///< false: on its way to the pull of gripOf, which would have been too large a step

@@ -59,7 +59,7 @@ struct LumpPlaces {
   LumpPlaces() { moved_mm.fill(Vec2::Zero()); }
 };
 
-/// What lumps add to a press.
+/// The force that lumps add to a press.
 struct LumpPush {
   double normal_n = 0.0;            ///< along the normal of the contact; negative over softer lumps
   Vec3 lateral_n = Vec3::Zero();    ///< sum of -dU/drho, each away from its lump's axis
@@ -69,11 +69,11 @@ struct LumpPush {
 /// The tip's place in the lump's plane, from where the lump lies now; mm across and up.
 Vec2 fromLump(const Lump& lump, const Vec2& moved_mm, const Vec3& tip) noexcept;
 
-/// Of a press, whole: its share is not looked at. `places` may be null: all lumps are where the world has them. No
+/// The push on the whole press; its share is ignored. `places` may be null: all lumps are where the world has them. No
 /// allocation; some 50 ns for a lump within reach and 5 for another.
 LumpPush lumpPush(const Lumps& lumps, const LumpPlaces* places, const LumpPress& press) noexcept;
 
-/// What one lump adds to the normal force of that press, N.
+/// The normal force that one lump adds to that press, N.
 double normalPush(const Lump& lump, const Vec2& moved_mm, const LumpPress& press) noexcept;
 
 /// Energy that the fingers' presses, by their shares, and the springs of mobile lumps store, N mm; for those who judge.

@@ -231,8 +231,8 @@ mesh::DisjointSets joinedCracks(const tree::TriangleTree& tree, double width,
   return joined;
 }
 
-/// Drops marks that are not cracks: the sides of sheets that pierce each other, where a point is a small sphere anyway,
-/// and the pits of creases, which are only a few widths long.
+/// Drops marks that are not cracks: next to where sheets pierce each other, where a point is a small sphere anyway, and
+/// in the pits of creases, which are only a few widths long.
 void dropOthers(const SurfaceGeometry& geometry, std::vector<std::uint8_t>& cracked) {
   constexpr double kMinLength = 8.0;  // of the width: 2 mm
   if (cracked.empty()) return;

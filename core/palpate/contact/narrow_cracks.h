@@ -22,7 +22,7 @@ namespace palpate::contact {
 /// Air up to here is a crack: the 0.2 mm that a fingertip's skin bridges, and a quarter for walls that are not
 /// parallel.
 inline constexpr double kCrackMm = 0.25;
-/// Of the diagonal the most that is a crack, for bodies smaller than 100 mm and in other units.
+/// The same as a share of the diagonal, for bodies smaller than 100 mm and in other units.
 inline constexpr double kCrackShare = 2.5e-3;
 
 /// The width up to which air is a crack in this body, mm.

@@ -38,13 +38,13 @@ struct alignas(kCacheLineBytes) SkinBlock {
   float slack;                   ///< what rounding may take from the distance of a point near the box
 };
 
-/// Of a whole surface: 88 bytes a triangle. Immutable, shared by every tool on it.
+/// Covers a whole surface: 88 bytes per triangle. Immutable, shared by every tool on it.
 struct SkinPlanes {
   std::shared_ptr<const SurfaceGeometry> geometry;  ///< never null
   AlignedVector<SkinBlock> blocks;                  ///< block b holds the records from b * kSkinLanes on
 };
 
-/// Of more triangles too many lie under a fingertip to be gathered.
+/// With more triangles, too many lie under a fingertip to be gathered.
 inline constexpr std::size_t kMostPlanes = 400'000;
 
 /// About 50 ns a triangle.
@@ -95,7 +95,7 @@ Vec3 gatheredAhead(const Vec3& motion, double margin_mm) noexcept;
 /// After there was too much skin the tree is asked for so many ticks.
 inline constexpr int kTicksOfRest = 64;
 
-/// What a sphere keeps of the skin near it from tick to tick; never changes what it feels.
+/// The nearby skin that a sphere keeps from tick to tick; never changes what it feels.
 struct FingerSkin {
   NearbySkin skin;
   double margin_mm = 0.0;
@@ -124,7 +124,7 @@ bool listNearer(const NearbySkin* skin, const Vec3& point, double reach, SkinLis
 /// `other`.
 bool visitedBefore(const NearbySkin& skin, const tree::PointQuery& query, Index one, Index other) noexcept;
 
-/// Of the listed triangles alone.
+/// Searches the listed triangles alone.
 tree::Crossing firstCrossingAmong(const Surface& surface, const SkinList& list, const Vec3& from,
                                   const Vec3& to) noexcept;
 

@@ -28,7 +28,7 @@ struct alignas(64) PadGrid {
   std::array<double, PadCells::kMaxAcross * PadCells::kMaxAcross / 2> r, inverse_r;
 };
 
-/// Of a bump; 1 + s^2 / w^2 on the circle is circle + swing x cosine.
+/// A bump's kernel; 1 + s^2 / w^2 on the circle is circle + swing x cosine.
 struct KernelShape {
   double foot_x, foot_y, per_width2, circle, swing;
   std::size_t arcs;  ///< of half the circle: a multiple of PadCells::kLanes and a power of 2
@@ -197,7 +197,7 @@ PadKernel makeKernel(const KernelShape& shape, PadCells& cells) {
   return {sums.sum(), circle.sum() * shape.per_arc};
 }
 
-/// What all kernels and the earlier bumps make of a plain force.
+/// The factor on a plain force: `level`, all kernels and the earlier bumps.
 HWY_INLINE V bumpsAt(const PadCells& cells, std::size_t cell, V level) {
   V sum = cells.has_bumps ? hn::Add(level, load(cells.bumps.data() + cell)) : level;
   for (std::size_t i = 0; i < cells.kernel_count; ++i) {

@@ -44,7 +44,7 @@ struct PadContact {
 /// Fewest cells along a side of a pad; the most are those across.
 inline constexpr std::size_t kMinSide = PadCells::kLanes;
 
-/// What the plain forces add up to.
+/// Sums over the plain forces.
 struct PadCover {
   double normal = 0.0;
   double slope = 0.0;  ///< of plain x lever x x^2; the same along v
@@ -63,7 +63,7 @@ PadKernel makeKernel(double foot_x, double foot_y, double width, double circle, 
 /// Lets the kernel that was made last count: strength x K of the plain force.
 void commitKernel(double strength, PadCells& cells) noexcept;
 
-/// What forces add up to, and their moments about the middle of the finger over its radius.
+/// Sum of the forces, and their moments about the middle of the finger over its radius.
 struct PadMoments {
   double normal = 0.0, u = 0.0, v = 0.0;
 };

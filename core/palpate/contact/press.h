@@ -1,4 +1,4 @@
-// What a finger's contact solver hands on to friction and force: how the tip presses the skin in this tick.
+// How the tip presses the skin in this tick: a finger's contact solver passes it on to friction and force.
 #pragma once
 
 #include "palpate/contact/finger_state.h"

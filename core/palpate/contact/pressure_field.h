@@ -60,7 +60,7 @@ class PressureGround {
   std::vector<double> logs_;  ///< of their thicknesses
 };
 
-/// What the taxels add up to.
+/// Sums over the taxels.
 struct PadSums {
   double normal_n = 0.0;
   Vec2 lateral_n = Vec2::Zero();  ///< along u and v: of the lumps, without friction
@@ -70,8 +70,8 @@ struct PadSums {
 /// taxel of a row lowest along u. Zeros for a finger that touches nothing. `kpa` and, unless empty, `shear_kpa` hold a
 /// taxel each; shear is along u and v and acts on the finger: friction's share, the same part of the pressure
 /// everywhere. A mobile lump is where FingerOutput says; others that move count as at their place. `lumps` may be null.
-/// What was felt on a body that breathes is taken to rest first (servo::atRest). No allocation; any thread. The sums
-/// are within rounding where any pressures >= 0 have them, as those of a contact do.
+/// Move `felt` to rest first on a body that breathes (servo::atRest). No allocation; any thread. The sums are within
+/// rounding where any pressures >= 0 have them, as those of a contact do.
 PadSums pressureField(const PressureGround& ground, const Lumps* lumps, const FingerOutput& felt,
                       const PressurePad& pad, std::span<double> kpa, std::span<Vec2> shear_kpa = {}) noexcept;
 

@@ -27,7 +27,7 @@ constexpr std::string_view kSurfaceStage = "building the contact surface";
 /// So many triangles, or vertices and their fans, are looked at in less than 0.1 s.
 constexpr Index kReportedPart = 1 << 17;
 
-/// Of a step that takes this part of the time. `progress` must outlive it.
+/// Progress of a step that takes this part of the time. `progress` must outlive it.
 Progress partOf(const Progress& progress, double from, double to) {
   if (!progress) return {};
   return [&progress, from, to](std::string_view, double done) { progress(kSurfaceStage, from + (to - from) * done); };
@@ -192,7 +192,7 @@ void markDoubled(const SurfaceGeometry& geometry, std::vector<std::uint8_t>& at_
 /// ring more than where sheets meet, so that a small sphere fits wherever a walk arrives there.
 void findEntangled(const mesh::TriangleMesh& mesh, SurfaceGeometry& geometry, const Progress& progress) {
   const mesh::Intersections found = mesh::findIntersections(mesh, progress);
-  // What could not be searched to the end is dense with overlaps: everything counts.
+  // The search gives up only in a mesh dense with overlaps: there every vertex counts.
   std::vector<std::uint8_t> at_crossing(mesh.positions.size(), found.complete ? 0 : 1);
   for (const mesh::Crossing& crossing : found.crossings) {
     at_crossing[crossing.low] = at_crossing[crossing.high] = 1;

@@ -50,7 +50,7 @@ bool onBorder(const Surface& surface, const SurfacePoint& point) noexcept;
 /// Whether the triangle has the corner, the edge or the face on which the point lies.
 bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept;
 
-/// What the skin is like at a place.
+/// The skin's properties at a place.
 struct SkinHere {
   double stiffness_n_per_mm = 0.0;
   double tissue_mm = 0.0;  ///< over the bone; 0 where that is not known

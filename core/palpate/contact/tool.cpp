@@ -25,7 +25,7 @@ namespace {
 
 /// Triangles that a group gathers on even skin, about; NearbySkin has room for thrice as many.
 constexpr double kGathered = 160.0;
-/// Of the radius of a circle that holds so many, what the pads' centres may take.
+/// The pads' centres may spread over this share of the radius of a circle that holds that many.
 constexpr double kOfPads = 0.55;
 /// The first margin, as a share of the same; it is adapted to the skin that is met.
 constexpr double kFirstMargin = 0.25;
@@ -80,7 +80,7 @@ void addGroups(const ToolShape& shape, std::span<std::size_t> pads, std::size_t 
 
 // ---- a tick
 
-/// What does not change during a tick.
+/// Constant during a tick.
 struct ToolTask {
   const Surface& surface;
   const ToolShape& shape;
@@ -133,7 +133,7 @@ Vec3 predictCentre(const FingerState& pad, const Vec3& tip) noexcept {
   return pad.touching ? Vec3(pad.centre + (tip - pad.tip)) : tip;
 }
 
-/// What a group knows of another surface means nothing.
+/// A group's knowledge of one surface means nothing on another.
 void forgetSkin(PadGroup& group) noexcept {
   group.idle = false;
   group.clear_mm = 0.0;
@@ -178,7 +178,7 @@ void gatherFor(const ToolTask& task, double slack_mm, PadGroup& group, NearbySki
   group.rest_ticks = kTicksOfRest;
 }
 
-/// What a group makes of having moved its pads.
+/// The result of moving a group's pads.
 struct GroupTick {
   bool idle = true;
   double used = 0.0;  ///< of its margin, the most of all pads; 1: all of it

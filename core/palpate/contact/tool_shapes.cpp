@@ -7,7 +7,7 @@ namespace palpate::contact {
 
 namespace {
 
-/// Of the finger whose stiffness the skin's law has, mm.
+/// Radius of the finger that the stiffness in the skin's law is for, mm.
 constexpr double kFingertipMm = 8.0;
 constexpr int kFingers = 5;
 constexpr double kBetweenFingersMm = 22.0;
@@ -20,7 +20,7 @@ void shareOut(ToolShape& tool, double sum) {
   for (Pad& pad : tool.pads) pad.share = sum / static_cast<double>(tool.pads.size());
 }
 
-/// Of a flat punch, against the fingertip.
+/// Stiffness of a flat punch relative to a fingertip's.
 double sharesOfArea(double width_mm, double length_mm) {
   return std::sqrt(width_mm * length_mm / std::numbers::pi) / kFingertipMm;
 }

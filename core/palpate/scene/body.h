@@ -16,7 +16,7 @@
 
 namespace palpate::scene {
 
-/// What lies under the skin of a built-in body; empty for a mesh.
+/// Describes what lies under the skin of a built-in body; empty for a mesh.
 struct Anatomy {
   std::vector<body::Bone> bones;
   std::vector<double> depth_mm;       ///< a skin vertex each: to the nearest bone
@@ -48,7 +48,7 @@ struct Body {
   std::vector<std::string> notes;                ///< what the user should know about it: repairs, a doubtful unit
   std::shared_ptr<const SkinTexture> texture;    ///< a picture on the skin (skin_texture.h), or null
   std::shared_ptr<const SkinChannels> channels;  ///< of the body's file (skin_channels.h), or null
-  /// What the body itself says, a skin vertex each, before dysfunctions; empty: the scene says.
+  /// The body's own stiffness, one per skin vertex, before dysfunctions; empty: the scene's applies.
   std::vector<double> given_stiffness_n_per_mm;
   std::shared_ptr<const tissue::LayeredTissue> given_layers;  ///< of the body itself (BodyParts), or null
   Eigen::AlignedBox3d box;

@@ -30,7 +30,7 @@ std::vector<T> permuted(const std::vector<T>& values, const std::vector<Index>& 
   return result;
 }
 
-/// Of a torso or a trunk, its vertices in the order of `source`.
+/// Anatomy of a torso or a trunk, with vertices in the order of `source`.
 template <class Body>
 Anatomy makeAnatomy(Body body, const std::vector<Index>& source) {
   return {.bones = std::move(body.bones),
@@ -41,7 +41,7 @@ Anatomy makeAnatomy(Body body, const std::vector<Index>& source) {
           .support = std::nullopt};
 }
 
-/// What was made, with its skin in the order that is near in memory.
+/// Takes over a generated body, with its skin in an order that keeps neighbours close in memory.
 template <class Made>
 BodyParts makeBodyParts(std::string name, mesh::TriangleMesh& skin, Made& made) {
   BodyParts parts;

@@ -6,7 +6,7 @@
 
 namespace palpate::scene {
 
-/// What becomes the world's skin.
+/// The parts that become the world's skin.
 struct BodyParts {
   std::string name;
   mesh::TriangleMesh skin;

@@ -1,4 +1,4 @@
-// What a scene says about the deformation: the forms, and the files that some of them come from.
+// A scene's settings for the deformation: the forms, and the files that some of them come from.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace palpate::scene {
 
-/// What the skin over the bones is taken for.
+/// Model of the tissue over the bones.
 enum class TissueModel : std::uint8_t {
   layered,   ///< skin, fat and muscle, as thick as they are at the place: solved by finite elements
   gaussian,  ///< the dissertation's half Gaussian in regions of one size (E21)

@@ -34,7 +34,7 @@ hdb::Partition makePartition(const Scene& scene, const mesh::TriangleMesh& skin,
   return hdb::buildPartition(skin, settings, progress);
 }
 
-/// What the scene names; where it names none, what its errata ask for.
+/// The traversal that the scene names, or else the one that its errata ask for.
 std::optional<hdb::LiteralTraversal> literalTraversal(const Scene& scene) {
   if (scene.partition.traversal) return scene.partition.traversal;
   if (scene.partition.query != hdb::HdbQuery::leaves) return std::nullopt;  // the text knows leaves only

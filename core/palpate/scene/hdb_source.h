@@ -1,5 +1,5 @@
-// What the contact source "hdb" needs beside the surface: the partition, the size of the box and the errata of chapter
-// 3 that the scene takes literally.
+// The contact source "hdb" needs more than the surface: the partition, the size of the box and the errata of chapter 3
+// that the scene takes literally.
 #pragma once
 
 #include <memory>

@@ -34,7 +34,7 @@ struct PlacedLump {
   double layer_kpa = 0.0;         ///< of the layer at its centre
   std::array<double, 3> share{};  ///< of the force of a fingertip without it, right over it, at kToldDepthsMm
   std::string note;               ///< all of this in a line
-  // What its table was made of, so that it is made once.
+  // Inputs of its table, so that it is built only once.
   tissue::LumpEnergy unscaled;
   std::vector<double> made_of;
 };
@@ -60,7 +60,7 @@ class LumpGround {
   std::unique_ptr<const Solved> solved_;
 };
 
-/// What the lumps are placed in.
+/// The surroundings that lumps are placed in.
 struct LumpBed {
   const Scene& scene;
   const Body& body;

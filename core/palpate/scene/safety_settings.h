@@ -19,7 +19,7 @@ enum class DeviceModel : std::uint8_t {
   inverse3
 };
 
-/// The force of a surface that the tip is already inside of when a session starts, or resumes after a fault.
+/// The force of a surface that already encloses the tip when a session starts, or resumes after a fault.
 enum class StartRule : std::uint8_t {
   outside,  ///< nothing until the tip has been outside once
   ramp,     ///< a force that grows over `ramp_s`

@@ -1,4 +1,4 @@
-// What a scene file says, as plain settings with defaults: a body, how stiff and how soft-edged it is, who touches it
+// Content of a scene file as plain settings with defaults: a body, how stiff and how soft-edged it is, who touches it
 // and what is written down. Read by scene_file.h, built into a World by world.h.
 #pragma once
 
@@ -78,7 +78,7 @@ struct EllipseSettings {
   EllipsePlace place = EllipsePlace::anchor;
 };
 
-/// What a finger collides with.
+/// The triangles that a finger collides with.
 enum class ContactSource : std::uint8_t {
   surface,  ///< the whole skin, by walking on it
   hdb       ///< the triangles that the haptic detecting box found: the dissertation's haptic process
@@ -127,7 +127,7 @@ struct TissueSettings {
   LumpForce lumps = LumpForce::table;
 };
 
-/// What one stretch of a finger's script does.
+/// The motion in one step of a finger's script.
 enum class Move : std::uint8_t { press, hold, drag, circle, lift };
 
 struct Step {

@@ -6,8 +6,8 @@ namespace palpate::scene {
 
 namespace {
 
-/// Of the way to the middle of the triangle, by which a walk starts inside of it: at a corner or on an edge, where
-/// fingers like to stand, the triangle itself may lie behind.
+/// A walk starts this share of the way to the middle of the triangle: at a corner or on an edge, where fingers often
+/// are, the triangle itself may lie behind.
 constexpr double kInside = 1e-3;
 
 bool differ(double first, double second) { return (first >= 0.0) != (second >= 0.0); }

@@ -1,5 +1,5 @@
-// What the body's own file says of each vertex of the skin: numbers and colours of a PLY, carried over to the skin that
-// was mended and reordered, and the vertex of the file that each vertex of the skin was.
+// Numbers and colours per vertex from the body's own PLY, carried over to the repaired and reordered skin, and the
+// vertex of the file that each vertex of the skin was.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct SkinScalar {
 
   std::string name;
   std::vector<float> values;
-  // Of the finite ones; 0 and 0 where there are none.
+  // Range of the finite values; 0 and 0 if none is finite.
   double least = 0.0;
   double greatest = 0.0;
   std::array<std::size_t, kBins> histogram{};  ///< vertices in equal parts from the least to the greatest

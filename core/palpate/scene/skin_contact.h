@@ -16,7 +16,7 @@ namespace palpate::scene {
 /// allocation; any thread.
 std::optional<deform::Contact> contactOf(const World& world, const contact::FingerOutput& finger) noexcept;
 
-/// What the dent that the finger left makes of the skin while it comes back; nothing where there is none.
+/// The skin's deformation by the dent that the finger left, while it recovers; nothing without a dent.
 std::optional<deform::Contact> dentOf(const World& world, const contact::FingerOutput& finger) noexcept;
 
 }  // namespace palpate::scene

@@ -17,7 +17,7 @@
 
 namespace palpate::scene {
 
-/// What a painted skin is made of: the seed, and the body that it is for.
+/// Inputs of a painted skin: the seed, and the body that it is for.
 struct MadeSkin {
   std::uint64_t seed = 1;
   Vec2 size_mm = Vec2::Ones();      ///< of the body's box, across and up

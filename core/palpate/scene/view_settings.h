@@ -22,7 +22,7 @@ enum class Shading : std::uint8_t {
   skin,     ///< light at the pixels, with what makes skin look like skin
 };
 
-/// What the colour of the skin says; one at a time.
+/// The quantity that the skin's colour shows; one at a time.
 enum class Colouring : std::uint8_t { plain, strain, stiffness, ellipses, scalar };
 
 /// Things drawn over the skin; any number at once.

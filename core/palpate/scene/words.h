@@ -99,7 +99,7 @@ struct WordsOf<maps::Averaging> {
   static constexpr std::array kAll = {Word{"plain", V::plain}, Word{"tensorial", V::tensorial}};
 };
 
-/// What the ellipse map weighs its key points with: nothing is GRI, the engine's own.
+/// Weights of the ellipse map's key points; nothing stands for GRI, the engine's own.
 template <>
 struct WordsOf<std::optional<maps::LiteralWeights>> {
   using V = maps::LiteralWeights;

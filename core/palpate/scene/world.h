@@ -36,8 +36,8 @@ struct Scene;
 struct TissueChoice {
   TissueModel model = TissueModel::layered;                      ///< that acts
   tissue::ForceLaw::Kind law = tissue::ForceLaw::Kind::layered;  ///< likewise
-  /// What takes the place of layers that the scene asks for, as it stands in a scene file; or that there are no bones.
-  /// Empty: layered as asked for, or another tissue as asked for.
+  /// The keys of the scene that rule out the layers it asks for, or that the body has no bones. Empty if the tissue is
+  /// the one that the scene asks for.
   std::vector<std::string> instead_of_layers = {};
   bool has_bones = true;
 };

@@ -56,7 +56,7 @@ double fromTable(const ForceTable& table, double depth) noexcept {
   return piece.from_effective_mm + piece.slope * (depth - piece.from_mm);
 }
 
-/// What makes the law agree with the map at the reference depth; 1 for a table that gives no force there.
+/// The factor that makes the law agree with the map at the reference depth; 1 for a table without force there.
 double referenceScale(const ForceLaw& law) noexcept {
   const double reference = law.reference_depth_mm;
   const double effective =
@@ -131,7 +131,7 @@ SecantPlace secantOnRows(const LayeredForce::Rows& factor, const RowPlace& at, d
   return between(secantOnRow(factor[at.row], depth), secantOnRow(factor[at.next], depth), at.share);
 }
 
-/// What a place means in the rows of layered tissue.
+/// Where a place falls in the rows of layered tissue.
 struct LayersPlace {
   RowPlace row;
   FingerPlace finger;

@@ -15,9 +15,9 @@
 namespace palpate::tissue {
 
 inline constexpr int kCurveTerms = 7;
-/// Of a press: the bell is half as high at 0.41 of the region's radius.
+/// For a press: the bell is half as high at 0.41 of the region's radius.
 inline constexpr double kPressBend = 6.0;
-/// Of a drag, whose core is narrower and whose tail longer: at 0.35.
+/// For a drag, whose core is narrower and whose tail longer: at 0.35.
 inline constexpr double kDragBend = 8.0;
 
 /// Coefficients c_k; value-initialised it is 0 everywhere.

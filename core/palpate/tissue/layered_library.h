@@ -14,11 +14,11 @@ namespace palpate::tissue {
 /// The stack of a place: skin, fat as a share of what lies under the skin, muscle for the rest.
 LayerStack libraryStack(double thickness_mm, double fat_share);
 
-/// What was solved: thicknesses in mm and shares of fat.
+/// The thicknesses (mm) and shares of fat that were solved.
 std::span<const double> libraryThicknesses();
 std::span<const double> libraryFatShares();
 
-/// Of what lies under the skin, where there is to be so much fat: less where the muscle would be thinner than 3 mm.
+/// The share of the tissue under the skin that this much fat takes; less where the muscle would be thinner than 3 mm.
 double libraryFatShare(double thickness_mm, double fat_mm);
 
 /// A node for each thickness of the library, with this much fat (libraryFatShare).

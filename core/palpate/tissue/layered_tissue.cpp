@@ -19,7 +19,7 @@ namespace {
 constexpr double kNothing = 0.006;
 constexpr double kMinRadiusMm = 35.0;
 constexpr double kMaxRadiusMm = 70.0;
-/// Of a drag: the rim over the half axis where a tenth is left. The tail of the solution beyond is faded out.
+/// A drag's rim over the half axis where a tenth is left. The tail of the solution beyond is faded out.
 constexpr double kRimOverTenth = 1.8;
 constexpr double kLongestDragMm = 150.0;
 /// Samples that a curve is fitted to.

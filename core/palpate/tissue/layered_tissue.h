@@ -21,7 +21,7 @@ struct FingerSecants {
   std::vector<double> secants;  ///< N/mm, one per depth of the node
 };
 
-/// What a stack answers, as curves: a table without its radii.
+/// A stack's response as curves: a table without its radii.
 struct LayeredNode {
   double thickness_mm = 0.0;         ///< of all layers
   std::vector<double> depths_mm;     ///< increasing
@@ -59,7 +59,7 @@ class LayeredTissue {
 
   PressCurves pressAt(double thickness_mm, double depth_mm) const noexcept;
   DragCurve dragAt(double thickness_mm) const noexcept;
-  /// Of k_t over k_n.
+  /// k_t / k_n.
   double tangentialAt(double thickness_mm) const noexcept;
   /// F / d at a depth under a finger of this radius, N/mm: beyond the solved depths straight on, but no steeper than
   /// the stiffest tissue (kStiffestTissue). Straight between two radii; beyond them the first or last counts.

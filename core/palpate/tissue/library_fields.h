@@ -19,7 +19,7 @@ LayerStack placeStack(double thickness_mm, double fat_mm);
 /// threads.
 std::vector<WeightedField> libraryFieldsAt(double thickness_mm, double fat_mm);
 
-/// What lumps and patterns of pressure at a place are made of: its layers and the fields around it.
+/// The layers of a place and the fields around it, from which lumps and patterns of pressure are computed.
 struct LumpPlace {
   LayerStack stack;
   std::vector<WeightedField> fields;
@@ -27,10 +27,10 @@ struct LumpPlace {
   LumpEnergy energyOf(const LumpShape& lump) const { return LumpEnergy(lump, stack, fields); }
 };
 
-/// Of a place in a body with the shipped stacks.
+/// For a body with the shipped stacks.
 LumpPlace libraryPlaceAt(double thickness_mm, double fat_mm);
 
-/// Of the layers of a table, which must outlive it. Throws Error, which says what to do, for a table without a field.
+/// For the layers of a table, which must outlive it. Throws Error, with advice, if the table has no field.
 LumpPlace tablePlace(const LayeredTable& table, std::string_view name);
 
 }  // namespace palpate::tissue

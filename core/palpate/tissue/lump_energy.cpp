@@ -216,7 +216,7 @@ struct Step {
 };
 constexpr Step makeStep(double mm) noexcept { return {mm, 1.0 / mm}; }
 
-/// Of a cubic on a cell: of value and slope at its near end, value and slope at its far end.
+/// Weights of a cubic on a cell: for value and slope at its near end, value and slope at its far end.
 using Weights = std::array<double, 4>;
 
 inline Weights valueWeights(double t, const Step& step) noexcept {
@@ -235,9 +235,9 @@ inline Weights bendWeights(double t, const Step& step) noexcept {
           (6.0 - 12.0 * t) * step.inverse * step.inverse, (6.0 * t - 2.0) * step.inverse};
 }
 
-/// Of the first cell from the skin on, at whose near end there is neither energy nor force. Its force grows as the
-/// square of the depth, as that of layered tissue does there (force_law.h): a cubic's would grow as the depth, and over
-/// a touch that is light enough a lump would be all that is felt.
+/// For the cell next to the skin, with neither energy nor force at its near end. Its force grows as the square of the
+/// depth, as that of layered tissue does there (force_law.h): a cubic's would grow as the depth, and a light enough
+/// touch would feel nothing but the lump.
 inline Weights firstValueWeights(double t, const Step& step) noexcept {
   const double t3 = t * t * t;
   return {0.0, 0.0, t3 * (4.0 - 3.0 * t), step.mm * (t3 * (t - 1.0))};
@@ -323,7 +323,7 @@ double factorAt(std::span<const ForceCorrection> correction, double depth_mm) {
 
 }  // namespace
 
-/// What a tick asks for stands in the class, small enough to be inlined.
+/// The functions that a tick calls are in the class, small enough to be inlined.
 namespace {
 
 /// By distance and depth, before the splines along rho.

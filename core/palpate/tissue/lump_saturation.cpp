@@ -55,7 +55,7 @@ double ease(double gap_radii, double near_radii) {
   return radii / (radii + near_radii);
 }
 
-/// What something so many times as stiff takes, beside what bone would.
+/// The share of bone's effect that something `ratio` times as stiff has: half of it at 1 + `half`.
 double takes(double ratio, double half) { return ratio > 1.0 ? (ratio - 1.0) / (ratio - 1.0 + half) : 0.0; }
 
 /// The first layer below that counts as stiffer.
@@ -181,7 +181,7 @@ double Saturation::sigma(std::size_t layer, double squeeze) const {
   const Around& around = around_[layer];
   const double gap = gap_radii_ * elementary::pow(squeeze, around.squeeze_power);
   const double sigma = around.ease * (1.0 - around.skin_takes * (1.0 - ease(gap, kNearRadii)));
-  // What is softer than its layer would fall to nothing as sigma grows, and beyond.
+  // A lump softer than its layer would fall to nothing and below as sigma grows.
   const double most = young_kpa_ < stack_.layers[layer].young_kpa ? 1.0 : std::numeric_limits<double>::infinity();
   return std::clamp(sigma, kLeastSigma, most);
 }

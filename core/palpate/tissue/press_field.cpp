@@ -16,7 +16,7 @@ namespace palpate::tissue {
 
 namespace {
 
-// What a stranger's file may have.
+// Limits for an untrusted file.
 constexpr std::size_t kMaxFieldRadii = 64;
 constexpr std::size_t kMaxFieldRows = 200;
 constexpr std::size_t kMaxFieldPresses = 32;

@@ -19,7 +19,7 @@ namespace palpate::tissue {
 
 struct LayerStack;
 
-/// Of one press: how its pressure falls off from the middle, p = F (q + 1) / (pi c^2) (1 - r^2 / c^2)^q.
+/// How the pressure of a press falls off from the middle: p = F (q + 1) / (pi c^2) (1 - r^2 / c^2)^q.
 struct PressurePattern {
   double contact_radius_mm = 0.0;  ///< c, seen along the axis
   double exponent = 0.0;           ///< q; 0: flat, 0.5: Hertz
@@ -49,8 +49,8 @@ void check(const PressField& field, const LayerStack& stack);
 std::string fieldText(const PressField& field);
 PressField fieldFrom(const mesh::JsonValue& value);
 
-/// Of a depth at rest within a layer: up to four neighbouring rows of it and their weights, which add up to 1. At or in
-/// the bone, where nothing is strained: no rows.
+/// For a depth at rest: up to four neighbouring rows of its layer and their weights, which add up to 1. No rows at or
+/// in the bone, where nothing is strained.
 struct FieldRow {
   std::size_t first = 0;
   std::size_t count = 0;

@@ -1,5 +1,5 @@
-// What people compare of a pressed skin: how wide the dent is, how much it bulges, how far it is drawn in. For tables,
-// pictures and words; the tick knows nothing of it.
+// Numbers that people compare pressed skin by: how wide the dent is, how much it bulges, how far it is drawn in. For
+// tables, pictures and texts; no tick uses them.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct PressedNumbers {
   double pushed_out_mm = 0.0;  ///< and away from it, >= 0
 };
 
-/// Of a shape of this table, or of shapeAt.
+/// `shape`: one of this table's, or from shapeAt.
 PressedNumbers numbersOf(const LayeredTable& table, const PressedShape& shape);
 
 /// Straight between the two stored depths around it; a depth outside of them is moved to the nearest. The table must

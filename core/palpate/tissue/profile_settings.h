@@ -22,7 +22,7 @@ enum class ProfileKind : std::uint8_t {
   user,           ///< from a table of the user's
 };
 
-/// What is done with the rest of a curve that has not come down to 0 at the rim (E18).
+/// Treatment of the rest of a curve that has not come down to 0 at the rim (E18).
 enum class ProfileRim : std::uint8_t {
   lowered,  ///< subtracted and stretched back to 1: no step
   step,     ///< kept: the printed form, 0.2 % of the depth for the Gaussian

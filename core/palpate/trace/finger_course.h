@@ -1,4 +1,4 @@
-// What one finger did, tick by tick: how fast it moved, when it touched, when it searched and when it palpated.
+// One finger's motion, tick by tick: how fast it moved, when it touched, when it searched and when it palpated.
 //
 //   samples of one finger ─► FingerMotion ─ speeds ─► ContactRuns, PhaseRuns ─► contacts, phases
 //
@@ -20,7 +20,7 @@ namespace palpate::trace {
 
 // Numbers of a run of any length in memory of fixed size: how often which size, and least, mean and greatest over time.
 //
-// What a picture of a long recording needs; recording_statistics.h fills them.
+// Pictures of long recordings are drawn from them; recording_statistics.h fills them.
 
 /// Counts values >= 0 in bins of one width; those beyond the last bin are counted together.
 class FixedHistogram {
@@ -29,7 +29,7 @@ class FixedHistogram {
 
   explicit FixedHistogram(double bin_width) : bin_width_(bin_width), bins_(kBins, 0) {}
 
-  /// What is not finite is not counted; what is negative counts as 0.
+  /// Ignores values that are not finite; negative ones count as 0.
   void add(double value);
 
   std::uint64_t count() const { return count_; }
@@ -54,7 +54,7 @@ class FixedHistogram {
   double greatest_ = 0.0;
 };
 
-/// What is measured of a finger in every tick.
+/// Quantities measured of a finger in every tick.
 enum class Measured : std::uint8_t {
   force,        ///< size of the contact's force, N
   depth,        ///< of the tip under the skin, mm
@@ -117,7 +117,7 @@ inline constexpr double kPathStepMm = 0.1;
 inline constexpr double kLightForceN = 0.5;
 /// Faster than this a finger dwells nowhere: a fingertip of 16 mm has left its place within 0.8 s.
 inline constexpr double kDwellSpeedMmPerS = 20.0;
-/// What is shorter belongs to the phase around it: no purpose changes four times a second.
+/// A shorter phase belongs to the one around it: no purpose changes four times a second.
 inline constexpr double kMinPhaseS = 0.25;
 
 /// How many ticks last so long; at least one.
@@ -170,7 +170,7 @@ class ContactRuns {
   explicit ContactRuns(double ticks_per_s);
   /// A contact that is seen to have ended.
   std::optional<Contact> add(const Sample& sample);
-  /// What is still under way.
+  /// Returns the contact that is still under way.
   std::optional<Contact> finish();
 
  private:

@@ -37,7 +37,7 @@ double radiusOf(double depth_mm, double aside_mm) {
   return std::max(kNarrowest, square / (2.0 * farther));
 }
 
-/// Of the distances from the ring around a place.
+/// The bone's radius, from its distances to the ring around a place.
 double radiusWithin(double depth_mm, const std::array<double, kRing.size()>& ring_mm) {
   double curvature = 0.0;
   for (std::size_t i = 0; i < ring_mm.size(); i += 2) {

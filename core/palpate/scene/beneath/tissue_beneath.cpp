@@ -71,7 +71,7 @@ double weightAt(double squared_mm) {
   return within > 0.0 ? within * within : 0.0;
 }
 
-/// Of the cells around; NaN where none was asked.
+/// Weighted mean of the cells around; NaN if none of them has a ray.
 double evenedLog(const Cells& cells, const Vec3& point) {
   const Place middle = placeOf(point);
   double sum = 0.0;
