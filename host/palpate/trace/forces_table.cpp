@@ -77,7 +77,7 @@ ForcesRow rowFrom(const CsvRow& row) {
           .safety_status = bitsFrom(row, kSafetyStatus, "safety_status")};
 }
 
-/// What is wrong with a first row that is not the header of such a table.
+/// Explains why a first row is not the header of such a table.
 [[noreturn]] void failForHeader(const CsvRow& row, std::span<const std::string_view> header) {
   const auto different = std::ranges::mismatch(row.fields, header);
   if (different.in1 == row.fields.begin() || different.in1 == row.fields.end()) {
@@ -138,7 +138,7 @@ void forEachForcesRow(std::string_view text, std::string_view name,
 
 void forEachForcesRow(const std::filesystem::path& file, const std::function<void(const ForcesRow&)>& visit) {
   std::string text = readFile(file, kMaxBytes);
-  // Of a table that was not finished the last row may be torn.
+  // The last row of an unfinished table may be torn.
   if (isUnfinished(file)) text.resize(text.rfind('\n') + 1);
   forEachForcesRow(text, file.string(), visit);
 }

@@ -13,7 +13,7 @@ namespace palpate::trace {
 /// CREATE statements without comments, with single blanks.
 using KnownSchema = std::set<std::string, std::less<>>;
 
-/// What these statements make of an empty database.
+/// The schema of an empty database after these statements.
 KnownSchema schemaMadeBy(const std::string& statements);
 
 /// Whether the statement is one of these, whatever its blanks and comments are.

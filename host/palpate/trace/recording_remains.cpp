@@ -41,7 +41,7 @@ bool isLike(const Values& values, std::string_view shape, bool is_whole) {
   return true;
 }
 
-/// Of bytes that nothing vouches for.
+/// Text from unverified bytes: what is not text becomes '?'.
 std::string textOf(const RawValue& value) {
   std::string text = value.bytes;
   const bool readable = wellFormed(text) == text;

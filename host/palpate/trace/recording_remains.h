@@ -1,4 +1,4 @@
-// What lies about in a damaged recording file: rows that were distinguished by their shape, not yet put together.
+// Rows found in a damaged recording file: recognised by their shape, not yet put together.
 #pragma once
 
 #include <cstdint>
@@ -126,7 +126,7 @@ struct RecordingRemains {
 
 RecordingRemains remainsIn(SqlitePages& pages, const Progress& progress);
 
-// Of such a row. Each throws Error for one that is not whole.
+// Both throw Error for a row that is not whole.
 RecordingAttachment attachmentOf(const RawRow& row);
 std::vector<Sample> samplesOf(const RawRow& row, std::span<const SampleColumn> columns);
 

@@ -1,4 +1,4 @@
-// What can still be read of a damaged recording file, as a new one, and what was lost.
+// Recovers what can still be read of a damaged recording file into a new one, and lists what was lost.
 //
 //   file, its log ─ SqlitePages ─► rows by their shape ─► blocks whose checksum holds ─► RecordingWriter
 //                                                    └──► what is missing ─► RecordingRepair, events "cut"
@@ -32,7 +32,7 @@ struct RecordingRepair {
   std::uint64_t events = 0;
   std::uint64_t attachments = 0;
   std::uint64_t worlds = 0;
-  // What was lost.
+  // Losses.
   std::uint64_t blocks_lost = 0;
   std::vector<MissingTicks> lost;
   std::uint64_t bytes_missing = 0;  ///< at the file's end

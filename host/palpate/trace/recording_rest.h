@@ -2,7 +2,7 @@
 // while remembers nothing that later ticks could feel, so from there a recording can be felt again without what was
 // before.
 //
-// What is remembered longest is the ring of forces that the passivity observer keeps (servo/limiter.h, 16 ticks); the
+// The longest memory is the ring of forces that the passivity observer keeps (servo/limiter.h, 16 ticks); the
 // motion of two ticks before decides about a soft toe. Skin that relaxes remembers for as long as its dent is there
 // (contact/felt_force.h). Only the warning "too stiff" looks further back: it counts a
 // second of contact (servo/limiter.h), and changes no force.
@@ -21,7 +21,7 @@ inline bool rests(const Sample& sample) noexcept {
          !(sample.contact.dent.rest_mm > 0.0);
 }
 
-/// Of one finger.
+/// Watches one finger.
 class RestWatch {
  public:
   /// The next sample; true once it has rested for long enough.

@@ -83,7 +83,7 @@ CREATE TABLE attachments(             -- pictures, sound notes, files that the s
 ) STRICT;
 )";
 
-/// What version 1 had otherwise; later versions have the tables above.
+/// Tables that differed in version 1; later versions have those above.
 constexpr const char* kTablesOfVersion1 = R"(
 CREATE TABLE session(
   id INTEGER PRIMARY KEY CHECK (id = 1),
@@ -104,7 +104,7 @@ CREATE TABLE fingers(
 ) STRICT;
 )";
 
-/// Of every version: one that has another's table fails at the first column that is not there.
+/// Allows every version's tables: a file with another version's table fails at the first missing column.
 const KnownSchema& schemaOfRecordings() {
   static const KnownSchema known = [] {
     KnownSchema all = schemaMadeBy(kTables);

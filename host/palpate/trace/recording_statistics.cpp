@@ -7,7 +7,7 @@ namespace palpate::trace {
 
 namespace {
 
-// Of the distributions: 41 N, 41 mm and 2 m/s are within the bins, which is more than skin and hands do.
+// The distributions' bins reach 41 N, 41 mm and 2 m/s, which is more than skin and hands do.
 constexpr double kForceBinN = 0.005;
 constexpr double kDepthBinMm = 0.005;
 constexpr double kSpeedBinMmPerS = 0.25;

@@ -30,7 +30,7 @@ struct RecordingHeader {
   std::string tags;  ///< words with blanks between
 };
 
-/// What a finger is, and in a world what it is felt with.
+/// A finger, and the settings that it is felt with in a world.
 struct RecordingFinger {
   std::string name;
   std::string device;

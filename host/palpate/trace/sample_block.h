@@ -47,8 +47,8 @@ struct SampleBlock {
 /// The finger is not part of the bytes. Throws Error for no samples and for more than kMaxBlockRows.
 SampleBlock packSamples(std::span<const Sample> samples);
 
-/// What the columns do not have keeps its default. Throws Error for a wrong checksum, for bytes that are not those of
-/// `rows` samples, and for a state of contact that there is none of. `finger` goes into the samples.
+/// Fields without a column keep their defaults. Throws Error for a wrong checksum, for bytes that are not those of
+/// `rows` samples, and for an unknown state of contact. `finger` goes into the samples.
 std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, std::size_t rows, std::uint32_t finger,
                                   std::span<const SampleColumn> columns = sampleColumns());
 
