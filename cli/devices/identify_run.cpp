@@ -78,7 +78,7 @@ void waitWithoutForce(const device::Device& device, double seconds) {
   throwIfInterrupted();
 }
 
-void askToLetGo(const IdentifySettings& settings, const device::Device& device, int round) {
+void promptRelease(const IdentifySettings& settings, const device::Device& device, int round) {
   instructUser(settings, fmt::format("{} {} in the middle of its reach, so that it stays there when you let go.",
                                      round == 0 ? "Hold" : "Again: hold", device.name));
   for (int left = kCountdownS; left > 0; --left) {
@@ -144,7 +144,7 @@ Identified identifyDevice(const IdentifySettings& settings, const Progress& prog
                fmt::format("{} is going to swing left and right by itself, with at most {:.2f} N. Ctrl-C stops it.",
                            device::describe(device), found.most_force_n));
   for (int round = 0; round < settings.rounds; ++round) {
-    if (!found.simulated) askToLetGo(settings, device, round);
+    if (!found.simulated) promptRelease(settings, device, round);
     found.rounds.push_back(oneRound(device, settings.realtime || !found.simulated, progress));
   }
   for (const auto number : kNumbers) summarise(found, number);

@@ -34,7 +34,7 @@ void addUnsafeStiffness(Command& command, bool& unsafe) {
                    "device (docs/explanation/safety.md)");
 }
 
-void sayUnsafe(std::span<const std::string> notes) {
+void printUnsafeNotes(std::span<const std::string> notes) {
   for (const std::string& note : notes) {
     if (note.starts_with(servo::kUnsafeMark)) say("palpate: " + note + "\n");
   }

@@ -20,7 +20,7 @@ Option* addDeviceOption(Command& command, std::vector<std::string>& names, const
 void addUnsafeStiffness(Command& command, bool& unsafe);
 
 /// Prints the safety warnings of a run before a hand is on the device, on stderr, one per line.
-void sayUnsafe(std::span<const std::string> notes);
+void printUnsafeNotes(std::span<const std::string> notes);
 
 /// Opens them in order, device i by `fingers[i]`. Throws Error with the reason for one that does not open, and for more
 /// devices than fingers.

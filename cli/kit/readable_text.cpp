@@ -19,7 +19,7 @@ bool turnsText(std::uint32_t letter) {
 }
 
 /// Allowed in XML 1.0 and without effect on terminals: no controls of ASCII and Latin 1.
-bool mayStand(std::uint32_t letter) {
+bool isAllowedCharacter(std::uint32_t letter) {
   if (letter < 0x20) return letter == '\t' || letter == '\n';
   if ((letter >= 0x7f && letter < 0xa0) || turnsText(letter)) return false;
   return letter != 0xfffe && letter != 0xffff;
@@ -39,7 +39,7 @@ std::string readableText(std::string_view text) {
   std::string readable;
   while (!text.empty()) {
     const std::size_t bytes = letterBytes(text);
-    const bool stands = bytes > 0 && mayStand(decodeCodePoint(text.substr(0, bytes)));
+    const bool stands = bytes > 0 && isAllowedCharacter(decodeCodePoint(text.substr(0, bytes)));
     readable += stands ? text.substr(0, bytes) : kReplacement;
     text.remove_prefix(stands ? bytes : 1);
   }

@@ -85,7 +85,7 @@ void useTrajectories(const SimulateOptions& options, scene::Scene& scene) {
 }
 
 /// A body without fingers gets one with an automatic path (device::pathsOf).
-void useSomeFinger(scene::Scene& scene) {
+void addDefaultFinger(scene::Scene& scene) {
   if (!scene.fingers.empty()) return;
   scene.fingers.emplace_back();
   scene.fingers.back().name = "automatic";
@@ -130,7 +130,7 @@ scene::Scene sceneFor(const SimulateOptions& given) {
   useMesh(options, scene);
   useShape(options, scene.body);
   useTrajectories(options, scene);
-  if (options.needs_fingers) useSomeFinger(scene);
+  if (options.needs_fingers) addDefaultFinger(scene);
   if (options.seconds > 0.0) scene.seconds = options.seconds;
   scene.safety.unsafe_stiffness = options.unsafe_stiffness;
   if (options.radius_given) {

@@ -59,7 +59,7 @@ std::vector<body::NamedPoint> collectPoints(const FitBodyArguments& arguments, d
 }
 
 /// The scan in our frame, its origin where the built-in trunk has it; the fit goes along.
-void turnIntoOurFrame(ScannedBody& scan, body::BodyFit& fit) {
+void transformToBodyFrame(ScannedBody& scan, body::BodyFit& fit) {
   const Mat3 back = fit.placement.rotation.transpose();
   const Vec3 origin = fit.placement.translation;
   const auto turned = [&](const Vec3& p) { return Vec3(back * (p - origin)); };
@@ -100,7 +100,7 @@ void writeScene(const FitBodyArguments& arguments, FitBodyResult& result) {
   scene.body.kind = scene::BodyKind::mesh;
   constexpr double kTurnedDeg = 15;  // seen along z it is still the back
   if (result.turned_deg > kTurnedDeg && !arguments.keep_frame) {
-    turnIntoOurFrame(result.scan, result.fit);
+    transformToBodyFrame(result.scan, result.fit);
     scene.body.file = besideOutput(arguments, ".aligned.ply");
     mesh::save(scene.body.file, result.scan.mesh, result.scan.channels);
     result.written.push_back(scene.body.file.string());

@@ -36,7 +36,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<trace::RecordedFinger> fingersOf(const fs::path& file) {
+std::vector<trace::RecordedFinger> readRecordedFingers(const fs::path& file) {
   if (trace::isForcesTable(file)) return trace::readForcesTable(file);
   if (!fs::exists(file)) throw Error::inFile(file.string(), "no such file");
   throw Error::inFile(file.string(),
@@ -56,7 +56,7 @@ bool isTableOrUnfinished(const fs::path& file) { return trace::isForcesTable(fil
 
 /// As text or as JSON. Throws Error for a table that cannot be read.
 std::string tableInfo(const fs::path& file) {
-  const std::vector<trace::RecordedFinger> fingers = fingersOf(file);
+  const std::vector<trace::RecordedFinger> fingers = readRecordedFingers(file);
   std::string text = "table       of forces, recorded by palpate\n";
   if (trace::isUnfinished(file)) {
     text +=
@@ -73,7 +73,7 @@ std::string tableInfo(const fs::path& file) {
 Json tableInfoJson(const fs::path& file) {
   Json json = {{"file", file.string()}, {"kind", "forces"}, {"complete", !trace::isUnfinished(file)}};
   json["fingers"] = Json::array();
-  for (const trace::RecordedFinger& finger : fingersOf(file)) {
+  for (const trace::RecordedFinger& finger : readRecordedFingers(file)) {
     json["fingers"].push_back({{"name", finger.name},
                                {"rows", finger.time_s.size()},
                                {"from_s", finger.time_s.front()},

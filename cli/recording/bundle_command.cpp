@@ -42,7 +42,7 @@ void addFolder(Words& words, const std::string& folder) {
 }
 
 /// Words that identify this user and computer: account, full name, home, computer.
-Words namesHere() {
+Words collectPrivateNames() {
   Words words;
   const system::Identity here = system::identity();
   for (const std::string& account : here.accounts) addWord(words, account, "user");
@@ -53,7 +53,7 @@ Words namesHere() {
   return words;
 }
 
-std::string versionsHere(const BundleArguments& arguments, const trace::RecordingFacts& facts) {
+std::string versionsText(const BundleArguments& arguments, const trace::RecordingFacts& facts) {
   trace::Database database(arguments.file, trace::Database::Mode::read);
   trace::Statement sqlite(database, "SELECT sqlite_version()");
   sqlite.next();
@@ -116,8 +116,8 @@ void runBundle(const BundleArguments& arguments) {
   engine::BundleSettings settings;
   settings.folder = arguments.folder;
   settings.allowed = allowedBy(arguments);
-  settings.hidden = namesHere();
-  settings.versions = versionsHere(arguments, recording.facts());
+  settings.hidden = collectPrivateNames();
+  settings.versions = versionsText(arguments, recording.facts());
   refuseFilesOutside(recording, arguments, settings);
   const engine::BundleReport report = engine::bundle(recording, arguments.out, settings, progress.callback());
   progress.clear();

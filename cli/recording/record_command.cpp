@@ -41,7 +41,7 @@ struct RecordArguments {
 class Lines {
  public:
   /// The text typed before an Enter, if any.
-  std::optional<std::string> take() {
+  std::optional<std::string> popLine() {
     while (const std::optional<char> letter = system::typedLetter(open_)) {
       if (*letter == '\n') return std::exchange(line_, {});
       if (*letter != '\r') line_ += *letter;
@@ -113,10 +113,10 @@ std::string formatStatus(const engine::RecorderState& state, const servo::TickSa
 }
 
 /// Handles marks, devices that reconnect and a line of status, until the end. Returns the number of marks.
-std::size_t waitForTheEnd(engine::ServoThread& servo, engine::Recorder& recorder,
-                          const std::vector<device::Device>& devices, double seconds, const scene::Scene& scene) {
+std::size_t waitForRecordingEnd(engine::ServoThread& servo, engine::Recorder& recorder,
+                                const std::vector<device::Device>& devices, double seconds, const scene::Scene& scene) {
   constexpr std::chrono::milliseconds kLook{20};
-  constexpr int kLooksPerTending = 50;  // one second: a driver may take its time
+  constexpr int kLooksPerTending = 50;  // one second: a driver may be slow
   const bool terminal = system::messagesGoToATerminal();
   Lines lines;
   std::size_t marks = 0;
@@ -124,12 +124,12 @@ std::size_t waitForTheEnd(engine::ServoThread& servo, engine::Recorder& recorder
   for (int look = 1;; ++look) {
     const engine::RecorderState state = recorder.state();
     if (endingSignal() != 0 || !state.failure.empty() || state.seconds >= seconds) break;
-    if (const auto line = lines.take()) {
+    if (const auto line = lines.popLine()) {
       recorder.mark(line->empty() ? fmt::format("mark {}", marks + 1) : *line);
       ++marks;
     }
     if (look % kLooksPerTending == 0) {
-      for (const std::string& trouble : device::tendDevices(devices)) say("\n" + trouble + "\n");
+      for (const std::string& trouble : device::reviveDevices(devices)) say("\n" + trouble + "\n");
     }
     if (terminal && look % 10 == 0) say("\r\x1b[K" + formatStatus(state, servo.contacts(), scene));
     trace::Sample sample;
@@ -156,11 +156,11 @@ void runRecord(const RecordArguments& arguments) {
   const device::DeviceProfile profile = profileFor(arguments, *world, devices);
   const std::vector<std::string> notes =
       servo::safetyNotes(world->scene.safety, profile, 1.0 / world->scene.ticks_per_s);
-  sayUnsafe(notes);
+  printUnsafeNotes(notes);
   engine::ServoThread servo(planFor(world, profile), devices);
   const StoppedBySignal stopped(servo.emergencyStop());
   engine::Recorder recorder(servo, recorderSettings(arguments, *world, devices));
-  const std::size_t marks = waitForTheEnd(
+  const std::size_t marks = waitForRecordingEnd(
       servo, recorder, devices, arguments.input.seconds > 0.0 ? arguments.input.seconds : for_ever, world->scene);
   const servo::LoopReport loop = servo.stop();
   recorder.finish(endingSignal() == 0 ? "done" : nameOfSignal(endingSignal()));

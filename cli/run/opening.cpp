@@ -31,7 +31,7 @@ Opening showOpening(window::Window& window, engine::WorldBuilder& building, view
   const auto started = Clock::now();
   for (;;) {
     std::optional<engine::BuildResult> result;
-    if (!view.isBeingClicked()) result = building.take();
+    if (!view.isBeingClicked()) result = building.collectResult();
     if (result) {
       if (!result->world) throw Error(result->error);
       window.handBack(for_the_body);

@@ -94,7 +94,7 @@ class VisitBook {
   /// A connection begins. `client`: its address, or the network that one client has; empty: on this computer.
   VisitId enter(VisitId id, const std::string& client, double now_s);
   /// It has presented a token.
-  VisitId showedToken(VisitId id, double now_s);
+  VisitId markTokenShown(VisitId id, double now_s);
 
   /// It made progress: a whole request arrived, or a piece of the answer was accepted.
   void moved(VisitId id, double now_s);

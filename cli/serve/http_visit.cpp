@@ -126,8 +126,10 @@ class Visit : public std::enable_shared_from_this<Visit> {
   }
 
   void onRequest(Status status) {
-    if (status == http::error::end_of_stream || status == beast::error::timeout || hall_.closing) return hangUp();
-    if (status && status.category() != http::make_error_code(http::error::bad_method).category()) return hangUp();
+    if (status == http::error::end_of_stream || status == beast::error::timeout || hall_.closing)
+      return shutDownSocket();
+    if (status && status.category() != http::make_error_code(http::error::bad_method).category())
+      return shutDownSocket();
     request_ = parser_->release();
     hall_.book.moved(id_, hall_.now());
     if (status) {
@@ -159,7 +161,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     send(file->content, file->type, file);
   }
 
-  bool comesFromAfar() {
+  bool isCrossOrigin() {
     Status ignored;
     const std::string local = line().socket().local_endpoint(ignored).address().to_string();
     if (request_.count(http::field::origin) > 1) return true;
@@ -169,7 +171,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
 
   /// The client's role; answers those without one.
   Role admitted(std::string_view token) {
-    if (comesFromAfar()) {
+    if (isCrossOrigin()) {
       ++hall_.counts.refused_origin;
       refuse(http::status::forbidden);
       return Role::none;
@@ -180,7 +182,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
       refuse(http::status::unauthorized);
       return role;
     }
-    hall_.makeRoom(hall_.book.showedToken(id_, hall_.now()));
+    hall_.makeRoom(hall_.book.markTokenShown(id_, hall_.now()));
     return role;
   }
 
@@ -277,11 +279,11 @@ class Visit : public std::enable_shared_from_this<Visit> {
                              delivery->left_of_piece -= std::min(delivery->left_of_piece, bytes);
                              if (!delivery->serializer.is_done()) return self->writeSome(delivery);
                              if (delivery->answer.keep_alive()) return self->read();
-                             self->hangUp();
+                             self->shutDownSocket();
                            });
   }
 
-  void hangUp() {
+  void shutDownSocket() {
     Status ignored;
     line().socket().shutdown(Socket::shutdown_both, ignored);
   }

@@ -69,7 +69,7 @@ struct Network::Impl {
 
   void listen();
   void accept();
-  void goRound(int round);
+  void runRound(int round);
   void run();
   void end();
 
@@ -111,14 +111,14 @@ void Network::Impl::accept() {
 }
 
 /// Twenty times a second: releases silent fingers, closes stalled watchers, sends the state; at the end, stops.
-void Network::Impl::goRound(int round) {
+void Network::Impl::runRound(int round) {
   hall.control.tick(hall.now());
   for (auto at = hall.watchers.begin(); at != hall.watchers.end();) look(*(at++)->second);
   if (hall.closing && (hall.watchers.empty() || hall.now() - goodbye_s > kGoodbyeS)) return events.stop();
   if (round % kRoundsPerState == 0) hall.publishState();
   rounds.expires_after(kRound);
   rounds.async_wait([this, round](boost::system::error_code stopped) {
-    if (!stopped) goRound(round + 1);
+    if (!stopped) runRound(round + 1);
   });
 }
 
@@ -146,7 +146,7 @@ Network::Network(const NetworkSettings& settings, ServedContent exhibits, Finger
     : impl_(std::make_unique<Impl>(settings, std::move(exhibits), std::move(control))) {
   impl_->listen();
   impl_->accept();
-  impl_->goRound(0);
+  impl_->runRound(0);
   impl_->thread = std::thread([parts = impl_.get()] { parts->run(); });
 }
 

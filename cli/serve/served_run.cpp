@@ -250,7 +250,7 @@ void showUntilTheEnd(const ServeOptions& options, const scene::World& world, vie
     }
     if (round % kFramesPerS == 0) {
       network.publishStats(vitalsJson(servo.thread().vitals()));
-      for (const std::string& trouble : device::tendDevices(devices)) say(trouble + "\n");
+      for (const std::string& trouble : device::reviveDevices(devices)) say(trouble + "\n");
     }
     due = std::max(due + kStepNs, monotonicNs());
     system::sleepUntil(due);

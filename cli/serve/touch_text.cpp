@@ -37,11 +37,11 @@ TouchTexts::TouchTexts(std::shared_ptr<const engine::FeltPressure> pressure, std
 
 Frame TouchTexts::of(const Listen& asked, bool instructs) {
   Frame& text = made_[{asked.pad, asked.pad_mm, instructs}];
-  if (!text) text = std::make_shared<const std::string>(made(asked, instructs));
+  if (!text) text = std::make_shared<const std::string>(composeText(asked, instructs));
   return text;
 }
 
-std::string TouchTexts::made(const Listen& asked, bool instructs) const {
+std::string TouchTexts::composeText(const Listen& asked, bool instructs) const {
   Json fingers = Json::array();
   for (const trace::Sample& sample : felt_) {
     const contact::FingerOutput& felt = sample.contact;

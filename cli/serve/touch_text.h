@@ -27,7 +27,7 @@ class TouchTexts {
   Frame of(const Listen& asked, bool instructs);
 
  private:
-  std::string made(const Listen& asked, bool instructs) const;
+  std::string composeText(const Listen& asked, bool instructs) const;
 
   std::shared_ptr<const engine::FeltPressure> pressure_;
   std::vector<trace::Sample> felt_;

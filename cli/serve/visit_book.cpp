@@ -41,7 +41,7 @@ VisitId VisitBook::enter(VisitId id, const std::string& client, double now_s) {
   return evictStalest(id, [&](const Visit& visit) { return !visit.known && visit.client == crowded; });
 }
 
-VisitId VisitBook::showedToken(VisitId id, double now_s) {
+VisitId VisitBook::markTokenShown(VisitId id, double now_s) {
   const auto at = visits_.find(id);
   if (at == visits_.end()) return 0;
   at->second.moved_s = now_s;

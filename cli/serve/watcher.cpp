@@ -42,7 +42,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
   Watcher& operator=(const Watcher&) = delete;
 
   void accept(const HttpRequest& request) {
-    holdBackLittle();
+    limitSendBuffers();
     stream_.set_option(websocket::stream_base::timeout{
         std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * hall_.settings.handshake_s)),
         std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * hall_.settings.silence_s)), true});
@@ -86,7 +86,7 @@ class Watcher : public std::enable_shared_from_this<Watcher> {
   }
 
  private:
-  void holdBackLittle() {
+  void limitSendBuffers() {
     Socket& socket = beast::get_lowest_layer(stream_).socket();
     Failure ignored;  // without them it is only less fresh
     system::limitUnsent(numberOf(socket), kUnsentBytes);

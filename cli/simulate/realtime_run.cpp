@@ -68,7 +68,7 @@ void displayUntilFinished(Display& display, servo::LoopLinks& links, std::span<c
   for (int frame = 1; !links.finished.load(std::memory_order_acquire); ++frame) {
     if (endingSignal() != 0) links.stop = true;
     display.drawFrame();
-    if (frame % kFramesPerLook == 0) device::tendDevices(devices);
+    if (frame % kFramesPerLook == 0) device::reviveDevices(devices);
     const auto due = started + std::chrono::duration_cast<Clock::duration>(frame * period);
     const double elapsed_s = secondsSince(started);
     report(progress, "palpating in real time", std::min(1.0, elapsed_s / duration_s));

@@ -39,7 +39,7 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
 
 void saveAutomaticPaths(const scene::World& world, const device::FingerPaths& paths, SimulationResult& result) {
   for (std::size_t i = 0; i < world.scene.fingers.size(); ++i) {
-    if (!world.scene.fingers[i].findsItsOwnWay()) continue;
+    if (!world.scene.fingers[i].hasAutomaticPath()) continue;
     device::Trajectory path;
     path.tip_mm = *paths.tips[i];
     for (std::size_t k = 0; k < path.tip_mm.size(); ++k) {
@@ -60,7 +60,7 @@ void applyLimits(const std::vector<device::Device>& devices, servo::Rig& rig, Si
   result.limits = servo::limiterSettings(world, profile);
   for (servo::FingerChain& finger : rig.fingers) finger.limiter_settings = result.limits;
   const std::vector<std::string> notes = servo::safetyNotes(world.scene.safety, profile, result.limits.tick_s);
-  sayUnsafe(notes);
+  printUnsafeNotes(notes);
   append(result.notes, notes);
 }
 

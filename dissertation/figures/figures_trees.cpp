@@ -137,7 +137,7 @@ MeshView foundFrom(const mesh::TriangleMesh& mesh, const hdb::Partition& tree, c
   return hapticView(mesh, tree, hits, proxy);
 }
 
-MeshView literallyFoundFrom(const mesh::TriangleMesh& mesh, const hdb::Partition& tree, const Vec3& proxy) {
+MeshView literalSearchView(const mesh::TriangleMesh& mesh, const hdb::Partition& tree, const Vec3& proxy) {
   hdb::LeafHits hits;
   hits.prepareFor(tree);
   const Box3 box = hdb::hapticBox(proxy, hdb::hdbEdges(tree.bounds));
@@ -173,7 +173,7 @@ Figure figure39() {
   for (const bool literal : {true, false}) {
     for (const double height : {90.0, 45.0, 25.0, 0.0}) {
       const Vec3 proxy = tip + Vec3(30.0, 30.0, 60.0).normalized() * height;
-      MeshView view = literal ? literallyFoundFrom(hand, tree, proxy) : foundFrom(hand, tree, proxy);
+      MeshView view = literal ? literalSearchView(hand, tree, proxy) : foundFrom(hand, tree, proxy);
       view.towards_viewer = Vec3(0.9, -0.5, 0.9);
       view.scale_bar = !literal;
       figure.panels.emplace_back(view);

@@ -57,8 +57,8 @@ Plot trianglesPlot(const HdbMeasurement& found) {
                                 Marker::square),
                  measuredSeries("triangles of the box", shares, column(found.sizes, &HdbSizeRow::exact_triangles),
                                 Marker::triangle),
-                 printedSeries("printed: a third, a tenth of all", {kPrintedBoxShare, kPrintedBoxShare},
-                               {kPrintedShares[0] * all, kPrintedShares[1] * all}, Marker::cross)};
+                 dissertationSeries("printed: a third, a tenth of all", {kPrintedBoxShare, kPrintedBoxShare},
+                                    {kPrintedShares[0] * all, kPrintedShares[1] * all}, Marker::cross)};
   plot.series.back().stroke = figures::Stroke::none;
   plot.shapes = {verticalLine("1/4, the dissertation's", kPrintedBoxShare, 100.0, 100000.0)};
   return plot;
@@ -128,7 +128,7 @@ Plot recommendedPlot(const HdbMeasurement& found) {
   const std::vector<double> ends{metresPerSecond(found.plan.speeds_mm_s.front()),
                                  metresPerSecond(found.plan.speeds_mm_s.back())};
   const auto level = [&](const std::string& name, double triangles) {
-    Series series = printedSeries(name, ends, {triangles, triangles}, Marker::none);
+    Series series = dissertationSeries(name, ends, {triangles, triangles}, Marker::none);
     plot.series.push_back(series);
   };
   level("1/4, leaves of the BSP tree", quarter.bsp_triangles);

@@ -117,7 +117,7 @@ double hiddenByLeaves(const HdbMeasurement& found) {
 }
 
 /// From the coarsest model to the finest: tick with the hybrid over tick with the coherent list.
-const char* whereTheHybridPays(double on_smallest, double on_largest) {
+const char* hybridGainRange(double on_smallest, double on_largest) {
   if (on_smallest < 1.0 && on_largest < 1.0) return "everywhere";
   if (on_smallest >= 1.0 && on_largest >= 1.0) return "nowhere";
   return on_largest < 1.0 ? "fine" : "coarse";
@@ -151,7 +151,7 @@ FindingValues listsOfTheBox(const HdbMeasurement& found) {
           {"to_exact", linked.tick_us / exact.tick_us},
           {"to_leaves", linked.tick_us / leaves.tick_us},
           {"to_coherent", to_coherent},
-          {"pays", whereTheHybridPays(ratios.front(), ratios.back())},
+          {"pays", hybridGainRange(ratios.front(), ratios.back())},
           {"default_share", costs.default_us.back() / linked.tick_us},
           {"linked_bytes", linked.bytes / static_cast<double>(model)},
           {"coherent_bytes", coherent.bytes / static_cast<double>(model)},

@@ -70,7 +70,7 @@ struct LeafShare {
   double most = 0.0;
 };
 
-LeafShare leafShare(const mesh::TriangleMesh& mesh, const hdb::Partition& tree) {
+LeafShare measureLeafShare(const mesh::TriangleMesh& mesh, const hdb::Partition& tree) {
   const Vec3 edges = hdb::hdbEdges(tree.bounds);
   hdb::LeafHits hits;
   hits.prepareFor(tree);
@@ -102,7 +102,7 @@ void addBackRows(const PrintedNumbers& printed, Rows& rows) {
        .erratum = Erratum::E13_misprints,
        .reason = fmt::format("leaves of our back of {} triangles", kBackTriangles)},
       static_cast<double>(tree.leaves.size()) >= fewest));
-  const LeafShare share = leafShare(back, tree);
+  const LeafShare share = measureLeafShare(back, tree);
   rows.push_back(
       statementRow({.where = "3.3.4",
                     .what = "triangles rendered while touching",

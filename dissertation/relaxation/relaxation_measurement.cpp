@@ -66,7 +66,7 @@ class Finger {
 int toTicks(double seconds) { return static_cast<int>(std::lround(seconds / kTick)); }
 
 /// Held, then left: both of one finger.
-void holdAndLeave(const contact::Surface& surface, RelaxingSkin& skin) {
+void measureHoldAndRelease(const contact::Surface& surface, RelaxingSkin& skin) {
   Finger finger(surface, skin.relaxation);
   finger.goTo(kDepthMm, kApproach);
   int tick = 0;
@@ -146,7 +146,7 @@ RelaxationMeasurement measureRelaxation(bool quick, const Progress& progress) {
       {.name = "dead beef", .relaxation = {.share = 0.26, .time_s = 0.40, .share_2 = 0.31, .time_2_s = 4.4}}};
   for (RelaxingSkin& skin : found.skins) {
     report(progress, "holding skin that relaxes", 0.0);
-    holdAndLeave(surface, skin);
+    measureHoldAndRelease(surface, skin);
     drag(surface, skin);
   }
   const std::vector<double> strokes = quick ? std::vector{0.1, 1.0, 5.0} : std::vector{0.1, 0.3, 1.0, 3.0, 10.0, 30.0};

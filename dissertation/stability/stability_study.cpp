@@ -80,9 +80,10 @@ Plot ratePlot(const StabilityMeasurement& found) {
   plot.y = {.label = "stiffness", .unit = "N/mm", .scale = Scale::logarithmic, .from = 0.02, .to = 20.0};
   plot.y.ticks = ticksAt({0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0});
   const std::vector<double> rates = column(found.rates, &RateRow::ticks_per_s);
-  plot.series.push_back(printedSeries("b / (T/2 + t_d)", rates, column(found.rates, &RateRow::line), Marker::none));
   plot.series.push_back(
-      printedSeries("min(2b/T, 2c/step)", rates, column(found.rates, &RateRow::friction_line), Marker::cross));
+      dissertationSeries("b / (T/2 + t_d)", rates, column(found.rates, &RateRow::line), Marker::none));
+  plot.series.push_back(
+      dissertationSeries("min(2b/T, 2c/step)", rates, column(found.rates, &RateRow::friction_line), Marker::cross));
   plot.series.push_back(
       measuredSeries("dead load, bare", rates, column(found.rates, &RateRow::off_dead), Marker::square));
   plot.series.push_back(measuredSeries("hand, bare", rates, column(found.rates, &RateRow::off_hand), Marker::diamond));

@@ -123,7 +123,7 @@ FindingValues ratesOfTrees(const RatesMeasurement& found) {
           {"find_us", mostFindMicroseconds(found)}};
 }
 
-const char* whereHalfRateHolds(const Extent& here, const Extent& printed) {
+const char* halfRateVerdict(const Extent& here, const Extent& printed) {
   if (here.least >= printed.least && here.most <= printed.most) return "all";
   return here.least > printed.most || here.most < printed.least ? "none" : "some";
 }
@@ -135,7 +135,7 @@ FindingValues graphicRates(const RatesMeasurement& found) {
   Extent printed;
   for (const PrintedRate& rate : printedNumbers().table_3_1) printed.add(rate.haptic_fps / rate.graphic_fps);
   return {
-      {"printed", printed}, {"renderer", found.renderer}, {"here", here}, {"holds", whereHalfRateHolds(here, printed)}};
+      {"printed", printed}, {"renderer", found.renderer}, {"here", here}, {"holds", halfRateVerdict(here, printed)}};
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ void add(Plot& plot, const std::string& name, const RateCurve& curve, const Colo
          bool printed) {
   if (curve.x.empty()) return;
   Series series =
-      printed ? printedSeries(name, curve.x, curve.y, marker) : measuredSeries(name, curve.x, curve.y, marker);
+      printed ? dissertationSeries(name, curve.x, curve.y, marker) : measuredSeries(name, curve.x, curve.y, marker);
   series.colour = colour;
   plot.series.push_back(series);
 }

@@ -58,7 +58,7 @@ Plot bestPlot(const ThresholdMeasurement& found) {
         measuredSeries(titleOf(tree), sizes, best, tree == TreeKind::Bsp ? Marker::circle : Marker::square));
   }
   plot.series.push_back(
-      printedSeries("printed: 1024", sizes, std::vector<double>(sizes.size(), kPrintedThreshold), Marker::none));
+      dissertationSeries("printed: 1024", sizes, std::vector<double>(sizes.size(), kPrintedThreshold), Marker::none));
   plot.series.back().colour = figures::kInk;
   return plot;
 }

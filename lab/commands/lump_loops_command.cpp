@@ -34,7 +34,7 @@ struct LumpLoopsArguments {
   bool json = false;
 };
 
-bool fallsWithTheSquare(const lab::ClosedPathsFigures& closed) {
+bool convergesQuadratically(const lab::ClosedPathsFigures& closed) {
   if (closed.by_steps.size() < 3 || closed.by_steps[0].mean_share < kRounding) return true;
   return closed.by_steps[1].mean_share > kFourfold * closed.by_steps[0].mean_share;
 }
@@ -48,7 +48,7 @@ struct LumpLoops {
 
 bool holds(const LumpLoops& loops) {
   const auto& [closed, held, stiffest] = loops;
-  return closed.worstShare() <= kMostShare && fallsWithTheSquare(closed) && held.given_back_n_mm <= kMostGivenNMm &&
+  return closed.worstShare() <= kMostShare && convergesQuadratically(closed) && held.given_back_n_mm <= kMostGivenNMm &&
          held.oscillating == 0 && stiffest.oscillating == 0 && stiffest.port_energy_mj <= kMostPortEnergyMj;
 }
 
@@ -58,7 +58,7 @@ Json loopsJson(const LumpLoops& loops, std::uint64_t seed) {
                {"worst_work_n_mm", closed.worst_work_n_mm},
                {"stored_n_mm", closed.stored_n_mm},
                {"worst_work_share", closed.worstShare()},
-               {"falls_with_the_square", fallsWithTheSquare(closed)},
+               {"falls_with_the_square", convergesQuadratically(closed)},
                {"by_step", Json::array()},
                {"paths", closed.paths},
                {"ticks", closed.ticks},

@@ -187,7 +187,7 @@ std::array<Vec3, 4> HuntOracle::waysBeside(const Vec3& from, const Vec3& to) con
   return {Vec3(aside + across), Vec3(aside - across), Vec3(-aside + across), Vec3(-aside - across)};
 }
 
-bool HuntOracle::cameThroughSkin(const Vec3& tip) {
+bool HuntOracle::hasPassedThroughSkin(const Vec3& tip) {
   const BoxTree::Crossing crossing = body_.tree().crossing(last_tip_, tip);
   if (crossing.inwards <= 0) return false;
   const double way = (tip - *crossing.entry).norm();
@@ -205,7 +205,7 @@ bool HuntOracle::cameThroughSkin(const Vec3& tip) {
 
 /// A fold that is inside out winds round what is in it the other way, a whole turn: a point that passes a front there
 /// is out of the body after it. A sheet alone never does, and leaves a half behind it.
-bool HuntOracle::cameOutOfFold(const Vec3& tip) {
+bool HuntOracle::hasLeftFold(const Vec3& tip) {
   return body_.selfIntersecting() && body_.winding(last_tip_) < kSurelyWhole - 1.0 &&
          std::abs(body_.winding(tip)) < kSurelyWhole;
 }
@@ -252,8 +252,8 @@ void HuntOracle::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   // A sphere that is inside already is there by the opening, and its tip may join it by any way.
   const std::optional<Vec3> was_afloat = std::exchange(last_afloat_, std::nullopt);
   const bool was_out = past_ == Past::outside || (was_afloat && !body_.inside(*was_afloat));
-  const bool came_through = !first_ && was_out && cameThroughSkin(o.tip);
-  if (came_through && (inside || (settings_.radius_mm == 0.0 && !cameOutOfFold(o.tip))))
+  const bool came_through = !first_ && was_out && hasPassedThroughSkin(o.tip);
+  if (came_through && (inside || (settings_.radius_mm == 0.0 && !hasLeftFold(o.tip))))
     found(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
   if (!inside) {
     judgeOverlapBesideBorder(o, distance);

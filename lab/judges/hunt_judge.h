@@ -202,8 +202,8 @@ class HuntOracle {
   void judgeOverlapBesideBorder(const contact::FingerOutput& o, double distance);
   std::array<Vec3, 4> waysBeside(const Vec3& from, const Vec3& to) const;
   /// The tip went through the skin itself since the last tick, not round a border.
-  bool cameThroughSkin(const Vec3& tip);
-  bool cameOutOfFold(const Vec3& tip);
+  bool hasPassedThroughSkin(const Vec3& tip);
+  bool hasLeftFold(const Vec3& tip);
   bool isFarFromBorder(const Vec3& place, double reach);
   /// Whether the last hold was away from borders, and cannot have come to one in this tick.
   bool wasHeldFarFromBorder(const Vec3& tip);

@@ -208,7 +208,7 @@ TapResult tap(const LoopPlan& plan, double speed_mm_per_s, double phase) {
   settings.hand.start.z() = kFrom + phase * speed_mm_per_s / plan.ticks_per_s;
   ClosedLoop loop(settings);
   device::SimulatedHand& hand = loop.hand();
-  hand.throwIt({0.0, 0.0, -speed_mm_per_s});
+  hand.setVelocity({0.0, 0.0, -speed_mm_per_s});
   hand.goal.velocity.z() = -speed_mm_per_s;
   if (!(plan.hand.mass_kg > 0.0)) hand.goal.push.z() = -kPushN;
   TapResult result;

@@ -73,7 +73,7 @@ class Goal {
 };
 
 /// Energy of skin and lumps with the tips pressing where they are.
-double storedBy(const contact::Surface& plate, const contact::LumpPlaces& places, std::span<const Vec3> tips) {
+double storedEnergy(const contact::Surface& plate, const contact::LumpPlaces& places, std::span<const Vec3> tips) {
   std::vector<contact::LumpPress> presses;
   double skin = 0.0;
   for (const Vec3& tip : tips) {
@@ -154,7 +154,7 @@ class Watch {
 };
 
 /// A device and a hand, and how the tick is closed over both.
-LoopPlan handsOver(contact::Lumps lumps, std::uint64_t number) {
+LoopPlan makeLoopPlan(contact::Lumps lumps, std::uint64_t number) {
   RandomCell cell{.stiffness_n_per_mm = kSkinNPerMm};
   cell.lumps = std::make_shared<const contact::Lumps>(std::move(lumps));
   return randomLoop(cell, number);
@@ -181,7 +181,7 @@ HeldLumpsFigures heldOnce(const HeldLumpsPlan& plan, std::size_t number) {
   constexpr double kFeltMm = 0.1;
   Random random((plan.seed + 1) * 0x9e3779b97f4a7c15ull + number);
   const std::size_t fingers = 1 + number % 2;
-  const LoopPlan hands = handsOver(mobileLump(random), number);
+  const LoopPlan hands = makeLoopPlan(mobileLump(random), number);
   const std::vector<Goal> goals = drawGoals(hands.hand, fingers, random);
   ClosedLoop loop = loopAt(hands, goals);
   const contact::LumpPlaces& places = loop.rig().fingers.front().solver.lumps->places();
@@ -201,7 +201,7 @@ HeldLumpsFigures heldOnce(const HeldLumpsPlan& plan, std::size_t number) {
       put_in += workAlong(loop.surface(), places, tips[i], tip);
       tips[i] = tip;
     }
-    const double balance = put_in - storedBy(loop.surface(), places, tips);
+    const double balance = put_in - storedEnergy(loop.surface(), places, tips);
     figures.given_back_n_mm = std::max(figures.given_back_n_mm, -balance);
     figures.lost_n_mm = std::max(figures.lost_n_mm, balance);
     figures.farthest_mm = std::max(figures.farthest_mm, places.moved_mm[0].norm());

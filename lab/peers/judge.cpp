@@ -201,7 +201,7 @@ ContactComparison compareContact(ContactWorld& world, const device::Trajectory& 
   const device::Trajectory ticks = device::resampled(trajectory, real.tick_s);
   const FingerRun run = runFinger(world.surface, contact::scaled(real, world.scale), scaledTips(ticks, world.scale));
   ContactComparison comparison;
-  comparison.ours = makePeerFigures(world, run, real, ticks.time_s, window);
+  comparison.ours = computeFigures(world, run, real, ticks.time_s, window);
   const std::vector<ContactQuery> queries = contactQueries(world, run, real, ticks.time_s, window);
   comparison.queries = queries.size();
   comparison.nearest_asked = static_cast<std::size_t>(

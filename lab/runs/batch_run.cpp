@@ -40,8 +40,8 @@ struct Pass {
 };
 
 /// Evenly along the path.
-std::vector<Begun> begunOn(const scene::World& world, const contact::FingerSettings& settings,
-                           std::span<const Vec3> path, std::size_t count) {
+std::vector<Begun> sampleStartStates(const scene::World& world, const contact::FingerSettings& settings,
+                                     std::span<const Vec3> path, std::size_t count) {
   engine::Finger walker = std::move(engine::fingersOn(world, {&settings, 1}).front());
   std::vector<Begun> begun;
   for (std::size_t i = 0; i < count; ++i) {
@@ -176,8 +176,9 @@ BatchFigures measureBatch(const scene::World& world, const contact::FingerSettin
   if (path.empty()) throw Error("a batch needs a path");
   const std::size_t actions = std::max<std::size_t>(1, kPassTicks / (settings.fingers * settings.action_ticks));
   const std::size_t finger_ticks = actions * settings.action_ticks;
-  const Pass batch{
-      world, finger, path, begunOn(world, finger, path, settings.fingers), finger_ticks, settings.action_ticks};
+  const Pass batch{world,        finger,
+                   path,         sampleStartStates(world, finger, path, settings.fingers),
+                   finger_ticks, settings.action_ticks};
   Pass rollout = batch;
   rollout.action_ticks = finger_ticks;
   Pass native = batch;

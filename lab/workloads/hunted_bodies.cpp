@@ -36,7 +36,7 @@ mesh::TriangleMesh someBall(Random& random, double radius, std::array<double, 2>
 }
 
 /// Squeezes by a share between these, in any direction.
-void squeezeSomehow(mesh::TriangleMesh& mesh, Random& random, double low, double high) {
+void squeezeRandomly(mesh::TriangleMesh& mesh, Random& random, double low, double high) {
   const double share = random.uniform(low, high);
   squeeze(mesh, anyDirection(random), share);
 }
@@ -65,7 +65,7 @@ mesh::TriangleMesh somePart(Random& random, double size) {
 
 mesh::TriangleMesh leaf(Random& random) {
   mesh::TriangleMesh mesh = someBall(random, 70, {0, 0.08}, {3, 9}, 5);
-  squeezeSomehow(mesh, random, 0.02, 0.2);
+  squeezeRandomly(mesh, random, 0.02, 0.2);
   return mesh;
 }
 
@@ -89,7 +89,7 @@ mesh::TriangleMesh noisy(Random& random) {
 mesh::TriangleMesh octahedra(Random& random) {
   const auto rounds = static_cast<int>(random.below(3));
   mesh::TriangleMesh mesh = bumpyBallMesh(random.uniform(30, 70), 0, 0, rounds);
-  squeezeSomehow(mesh, random, 0.2, 1.0);
+  squeezeRandomly(mesh, random, 0.2, 1.0);
   return mesh;
 }
 

@@ -49,7 +49,7 @@ void pairRow(const PhotoPair& pair, MeasuringRequests& requests) {
 }
 
 void photoRows(MeasuringView& view, MeasuringRequests& requests) {
-  if (ImGui::IsWindowAppearing()) view.pair_here = pairAmong(photographsHere());
+  if (ImGui::IsWindowAppearing()) view.pair_here = pairAmong(photographsInFolder());
   const bool none = view.photo(Photo::before).file.empty() && view.photo(Photo::after).file.empty();
   if (none && view.pair_here) pairRow(*view.pair_here, requests);
   photoRow(view, Photo::before);
@@ -101,7 +101,7 @@ void findingLines(const MeasuringView& view) {
   for (const measure::Finding& finding : view.measured->findings) {
     const bool refusal = finding.severity == measure::Severity::refusal;
     drawSeverityText(refusal ? Severity::error : Severity::warning,
-                     fmt::format("{}: {}", tr(refusal ? "Refused" : "Warning"), wordsHere(finding)));
+                     fmt::format("{}: {}", tr(refusal ? "Refused" : "Warning"), findingText(finding)));
   }
   ImGui::PopTextWrapPos();
 }

@@ -60,7 +60,7 @@ std::string doubts(const measure::Measurement& measured, const KeyTableFile& tab
   std::string words;
   for (const measure::Finding& finding : measured.findings) {
     if (finding.severity == measure::Severity::refusal)
-      words += fmt::format("{}: {}\n", tr("Refused"), wordsHere(finding));
+      words += fmt::format("{}: {}\n", tr("Refused"), findingText(finding));
   }
   if (table.kind == KeyTableFile::Kind::other) {
     words += trf("{} is not a table of key points and would be written over.", file.string()) + "\n";
@@ -186,7 +186,7 @@ void MeasuringMode::advance(ViewerState& viewer, std::span<const body::SkinLandm
     view_.form.table = of_scene.empty() ? "key_points.csv" : fs::absolute(of_scene).string();
   }
   startMeasuring();
-  take(viewer);
+  collectResult(viewer);
   view_.working = work_.busy();
   const MeasuringWork::State state = work_.state();
   view_.stage = state.stage;
@@ -213,8 +213,8 @@ void MeasuringMode::startMeasuring() {
   work_.request(std::move(job));
 }
 
-void MeasuringMode::take(ViewerState& viewer) {
-  auto result = work_.take();
+void MeasuringMode::collectResult(ViewerState& viewer) {
+  auto result = work_.collectResult();
   if (!result) return;
   MeasuringView& view = view_;
   for (std::size_t i = 0; i < view.photos.size(); ++i) {

@@ -82,7 +82,7 @@ class MeasuringWork {
   };
   State state() const;
   /// A finished result, once. Begins what waits.
-  std::optional<MeasuringResult> take();
+  std::optional<MeasuringResult> collectResult();
 
  private:
   void begin(MeasuringJob job);
@@ -130,7 +130,7 @@ class MeasuringMode : public Mode {
   bool asksFirst(Waiting waiting, ViewerState& viewer);
   void undoOrRedo(bool undoes, ViewerState& viewer);
   void startMeasuring();
-  void take(ViewerState& viewer);
+  void collectResult(ViewerState& viewer);
 
   MeasuringView view_;
   MeasuringRequests requests_;

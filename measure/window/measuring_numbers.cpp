@@ -23,7 +23,7 @@ std::string formatDirection(const measure::Estimate& direction) {
 
 }  // namespace
 
-std::string wordsHere(const measure::Finding& finding) {
+std::string findingText(const measure::Finding& finding) {
   constexpr std::string_view kOption = "--partial";
   const std::size_t at = finding.text.find(kOption);
   if (at == std::string::npos) return finding.text;

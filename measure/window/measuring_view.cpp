@@ -43,7 +43,7 @@ std::optional<Photo> tabPhoto(MeasuringTab tab) {
 }
 
 /// Keys that mean the same here as elsewhere.
-bool goesOn(window::Action action) {
+bool isGlobalAction(window::Action action) {
   using window::Action;
   static constexpr Action kEverywhere[] = {
       Action::help,   Action::full_screen,    Action::screenshot,    Action::screenshot_with_pop_ups,
@@ -61,7 +61,7 @@ std::optional<Vec2> arrowDirection(window::Key key) {
 }
 
 /// The innermost thing that can be left here.
-bool leaveSomething(MeasuringView& view) {
+bool cancelInnermost(MeasuringView& view) {
   if (view.dialog) {
     view.dialog.reset();
   } else if (view.selected) {
@@ -265,7 +265,7 @@ void panBy(MeasuringView& view, const Vec2& by) {
 
 bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers& modifiers,
                   MeasuringRequests& requests) {
-  if (key == window::Key::escape) return leaveSomething(view);
+  if (key == window::Key::escape) return cancelInnermost(view);
   if (view.dialog) return true;
   if (key == window::Key::tab) {
     const int step = modifiers.shift ? 3 : 1;
@@ -280,7 +280,7 @@ bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers&
     nudgeSelected(view, *arrow * (modifiers.shift ? kFineNudgePx : kNudgePx));
   } else if (const auto pressed = window::findAction({key, modifiers})) {
     if (pressed->action == window::Action::open) view.dialog = tabPhoto(view.tab).value_or(freePlace(view));
-    return !goesOn(pressed->action);
+    return !isGlobalAction(pressed->action);
   }
   return true;
 }

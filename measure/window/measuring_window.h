@@ -44,7 +44,7 @@ struct MeasuredNumber {
 std::vector<MeasuredNumber> measuredNumbers(const measure::Measurement& measured);
 
 /// A finding's text, with the window's names for the remedy: a box in place of an option of the command.
-std::string wordsHere(const measure::Finding& finding);
+std::string findingText(const measure::Finding& finding);
 
 /// "71.3 ± 1.2 mm", with `digits` decimals.
 std::string withSd(const measure::Estimate& estimate, int digits, const char* unit);

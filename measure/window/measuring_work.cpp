@@ -1,5 +1,5 @@
-// Marks take some hundredths of a second, so one measuring of them is always finished: while a slider is pulled,
-// results follow it. Photographs take seconds and are given up at their next report of progress.
+// Marks need some hundredths of a second, so one measuring of them is always finished: while a slider is pulled,
+// results follow it. Photographs need seconds and are given up at their next report of progress.
 #include "measure/window/measuring_mode.h"
 
 #include <algorithm>
@@ -120,8 +120,8 @@ void MeasuringWork::note(std::string_view stage, double done) {
   state_ = {std::string(stage), done};
 }
 
-std::optional<MeasuringResult> MeasuringWork::take() {
-  auto done = work_.take();
+std::optional<MeasuringResult> MeasuringWork::collectResult() {
+  auto done = work_.collectResult();
   if (!done) return std::nullopt;
   const bool given_up = give_up_;
   if (next_) begin(*std::exchange(next_, std::nullopt));

@@ -87,7 +87,8 @@ void useMouse(MeasuringView& view, const PhotoPanel& panel, const PhotoFrame& fr
   shift(view, frame);
 }
 
-void sayWhatIsMissing(ImDrawList& list, const MeasuringView& view, Photo which, const Vec2& corner, const Vec2& size) {
+void drawMissingPhotoText(ImDrawList& list, const MeasuringView& view, Photo which, const Vec2& corner,
+                          const Vec2& size) {
   const std::string name = tr(std::string(kPhotoNames[static_cast<std::size_t>(which)]).c_str());
   const std::string words = view.photo(which).file.empty() ? trf("No photograph {}", name)
                             : view.working                 ? trf("Reading {}", name)
@@ -109,7 +110,7 @@ void photoPanel(MeasuringView& view, const PhotoPanel& panel, const Vec2& size) 
       panel.path, imVec(size),
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   notePlace(panel.path);
-  if (photo.texture == 0) return sayWhatIsMissing(list, view, panel.photo, corner, size);
+  if (photo.texture == 0) return drawMissingPhotoText(list, view, panel.photo, corner, size);
   const PhotoFrame before = frameOf(view, photo, corner, size);
   useMouse(view, panel, before);
   const PhotoFrame frame = frameOf(view, photo, corner, size);

@@ -192,7 +192,7 @@ void addEllipses(Command& parent) {
 }
 
 void addContours(Command& parent) {
-  constexpr Maker kMaker{contoursOver, [](const MapSkin& skin, const scene::World& world, const MapSource&) {
+  constexpr Maker kMaker{makeContourMap, [](const MapSkin& skin, const scene::World& world, const MapSource&) {
                            return contoursOfScene(skin, world);
                          }};
   const auto [command, arguments] = addCommand<MapArguments>(
@@ -210,7 +210,7 @@ void addContours(Command& parent) {
 
 void addStiffness(Command& parent) {
   constexpr Maker kMaker{
-      [](const MapSkin& skin, const MapSource& source) { return stiffnessOver(skin, source); },
+      [](const MapSkin& skin, const MapSource& source) { return makeStiffnessMap(skin, source); },
       [](const MapSkin& skin, const scene::World& world, const MapSource&) { return stiffnessOfScene(skin, world); }};
   const auto [command, arguments] = addCommand<MapArguments>(
       parent, "stiffness",

@@ -85,7 +85,7 @@ MapSkin skinOfScene(const scene::World& world) {
 }
 
 SkinMap stiffnessOfScene(const MapSkin& skin, const scene::World& world) {
-  SkinMap map = stiffnessOver(skin, *world.surface.stiffness_n_per_mm);
+  SkinMap map = makeStiffnessMap(skin, *world.surface.stiffness_n_per_mm);
   if (world.scene.stiffness.source == scene::StiffnessSource::points) {
     map.keys = drawnKeys(world.ellipses.keys());
     for (MapKey& key : map.keys) key.outline.clear();  // their ellipses do not show stiffness

@@ -234,7 +234,7 @@ SkinMap ellipsesOver(const MapSkin& skin, const maps::AnyEllipseMap& of_keys, co
   return map;
 }
 
-SkinMap contoursOver(const MapSkin& skin, const MapSource& source) {
+SkinMap makeContourMap(const MapSkin& skin, const MapSource& source) {
   const std::vector<maps::ContourPoint> points = contourPointsOf(source);
   const auto contours = std::make_shared<const maps::PolarContourMap>(points, source.ellipses);
   SkinMap map;
@@ -259,7 +259,7 @@ SkinMap contoursOver(const MapSkin& skin, const MapSource& source) {
   return map;
 }
 
-SkinMap stiffnessOver(const MapSkin& skin, const MapSource& source) {
+SkinMap makeStiffnessMap(const MapSkin& skin, const MapSource& source) {
   if (!source.key_file.empty()) {
     const std::vector<maps::KeyPoint> keys = maps::readKeyPoints(source.key_file);
     requireStiffness(keys, source.key_file);
@@ -268,12 +268,12 @@ SkinMap stiffnessOver(const MapSkin& skin, const MapSource& source) {
   if (skin.bone_depth_mm.empty()) throw Error("map stiffness: needs --keys with a stiffness, or the torso's bones");
   std::vector<double> stiffness = maps::stiffnessFromDepth(skin.bone_depth_mm);
   if (source.interpolate_depth) return stiffnessFromKeys(skin, measuredOn(skin, stiffness), source);
-  SkinMap map = stiffnessOver(skin, std::move(stiffness));
+  SkinMap map = makeStiffnessMap(skin, std::move(stiffness));
   map.summary["source"] = "depth of the bones";
   return map;
 }
 
-SkinMap stiffnessOver(const MapSkin& skin, std::vector<double> n_per_mm) {
+SkinMap makeStiffnessMap(const MapSkin& skin, std::vector<double> n_per_mm) {
   SkinMap map = emptyStiffnessMap();
   if (n_per_mm.size() != skin.mesh.positions.size()) throw Error("map stiffness: needs a value for every vertex");
   map.vertices = {{"stiffness_n_per_mm", std::move(n_per_mm)}};

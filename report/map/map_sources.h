@@ -126,11 +126,11 @@ SkinMap ellipsesOver(const MapSkin& skin, const MapSource& source);
 /// For a map that exists already, made with `settings`.
 SkinMap ellipsesOver(const MapSkin& skin, const maps::AnyEllipseMap& ellipses, const maps::EllipseMapSettings& settings,
                      const std::string& quantity);
-SkinMap contoursOver(const MapSkin& skin, const MapSource& source);
+SkinMap makeContourMap(const MapSkin& skin, const MapSource& source);
 /// From a key file with a stiffness, or from the depth of the bones of the torso. Throws Error where there is neither.
-SkinMap stiffnessOver(const MapSkin& skin, const MapSource& source);
+SkinMap makeStiffnessMap(const MapSkin& skin, const MapSource& source);
 /// For values that exist already, N/mm, one per vertex.
-SkinMap stiffnessOver(const MapSkin& skin, std::vector<double> n_per_mm);
+SkinMap makeStiffnessMap(const MapSkin& skin, std::vector<double> n_per_mm);
 /// From the skin to the nearest bone. Throws Error for a skin without bones.
 SkinMap depthOver(const MapSkin& skin);
 

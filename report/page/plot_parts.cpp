@@ -67,8 +67,8 @@ figures::Series measuredSeries(const std::string& name, std::vector<double> x, s
   return {.name = name, .x = std::move(x), .y = std::move(y), .marker = marker};
 }
 
-figures::Series printedSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
-                              figures::Marker marker) {
+figures::Series dissertationSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
+                                   figures::Marker marker) {
   figures::Series series = measuredSeries(name, std::move(x), std::move(y), marker);
   series.stroke = figures::Stroke::dashed;
   return series;

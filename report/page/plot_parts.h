@@ -34,8 +34,8 @@ figures::Shape verticalLine(const std::string& name, double x, double from, doub
 /// A curve with markers; dashed ones are the dissertation's printed values.
 figures::Series measuredSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
                                figures::Marker marker = figures::Marker::circle);
-figures::Series printedSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
-                              figures::Marker marker = figures::Marker::square);
+figures::Series dissertationSeries(const std::string& name, std::vector<double> x, std::vector<double> y,
+                                   figures::Marker marker = figures::Marker::square);
 
 /// Ticks at these values, in plain digits however long.
 std::vector<figures::Tick> ticksAt(const std::vector<double>& values);

@@ -76,7 +76,8 @@ struct State {
 };
 
 template <class Holds>
-State makeState(const RunStrip& strip, std::string_view name, const figures::Colour& colour, const Holds& holds) {
+State collectStateBars(const RunStrip& strip, std::string_view name, const figures::Colour& colour,
+                       const Holds& holds) {
   State state{fmt::format("{} {}", strip.finger(), name), colour, {}};
   bool before = false;
   for (const StripStep& step : strip.steps()) {
@@ -91,8 +92,8 @@ State makeState(const RunStrip& strip, std::string_view name, const figures::Col
 void addBits(const RunStrip& strip, std::span<const StatusName> names, std::uint32_t StripStep::*bits,
              std::vector<State>& states) {
   for (const StatusName& name : names) {
-    State state =
-        makeState(strip, name.name, figures::kInk, [&](const StripStep& step) { return (step.*bits & name.bit) != 0; });
+    State state = collectStateBars(strip, name.name, figures::kInk,
+                                   [&](const StripStep& step) { return (step.*bits & name.bit) != 0; });
     if (!state.bars.empty()) states.push_back(std::move(state));
   }
 }
@@ -103,8 +104,8 @@ std::vector<State> collectStates(std::span<const RunStrip> strips) {
   for (std::size_t f = 0; f < strips.size(); ++f) {
     const figures::Colour colour = figures::seriesColour(f);
     const figures::Colour pale = figures::mixed(colour, figures::kPaper, 0.55);
-    states.push_back(makeState(strips[f], "sticks", pale, [](const StripStep& step) { return step.sticks; }));
-    states.push_back(makeState(strips[f], "slips", colour, [](const StripStep& step) { return step.slips; }));
+    states.push_back(collectStateBars(strips[f], "sticks", pale, [](const StripStep& step) { return step.sticks; }));
+    states.push_back(collectStateBars(strips[f], "slips", colour, [](const StripStep& step) { return step.slips; }));
     addBits(strips[f], contactStatusNames(), &StripStep::contact_status, states);
     addBits(strips[f], safetyStatusNames(), &StripStep::safety_status, states);
   }
@@ -132,7 +133,7 @@ Plot statePlot(const std::vector<State>& states, const Span& span) {
 
 std::string makeFigureNote(std::span<const RunStrip> strips) {
   std::size_t ticks = 1;
-  for (const RunStrip& strip : strips) ticks = std::max(ticks, strip.ticksAStep());
+  for (const RunStrip& strip : strips) ticks = std::max(ticks, strip.ticksPerStep());
   std::string note = "lag: from the tip to the place of the skin that friction holds.";
   if (ticks > 1) note += fmt::format(" Each step of a line shows the least and the greatest of {} ticks.", ticks);
   return note;

@@ -60,7 +60,7 @@ class RunStrip {
 
   const std::string& finger() const { return finger_; }
   const std::vector<StripStep>& steps() const { return steps_; }
-  std::size_t ticksAStep() const { return ticks_a_step_; }
+  std::size_t ticksPerStep() const { return ticks_a_step_; }
 
  private:
   void halve();

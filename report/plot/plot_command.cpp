@@ -59,7 +59,7 @@ std::vector<RunStrip> chosen(const PlotArguments& arguments, std::vector<RunStri
   return strips;
 }
 
-std::vector<RunStrip> stripsFrom(const PlotArguments& arguments) {
+std::vector<RunStrip> readStrips(const PlotArguments& arguments) {
   std::vector<RunStrip> strips;
   double first_s = std::numeric_limits<double>::infinity();
   double last_s = -first_s;
@@ -94,7 +94,7 @@ ForcesPlot makeForcesPlot(const PlotArguments& arguments) {
 void runPlot(const PlotArguments& arguments) {
   checkPictureName(arguments.output);
   if (!(arguments.from_s < arguments.to_s)) throw Error("plot: --from must be below --to");
-  const std::vector<RunStrip> strips = stripsFrom(arguments);
+  const std::vector<RunStrip> strips = readStrips(arguments);
   const figures::Figure figure = forcesFigure(makeForcesPlot(arguments), strips);
   writePicture(figure, arguments.output, arguments.png_scale);
   fmt::print("{}: {} -> {}\n", arguments.table.string(), joinFingerNames(strips), arguments.output.string());

@@ -103,7 +103,7 @@ struct ShownPart {
 };
 
 /// The part of a convex piece on the side of a plane where normal * p >= offset (Sutherland and Hodgman 1974).
-std::vector<Vec3> keptSide(const std::vector<Vec3>& piece, const Vec3& normal, double offset) {
+std::vector<Vec3> clipToHalfSpace(const std::vector<Vec3>& piece, const Vec3& normal, double offset) {
   std::vector<Vec3> kept;
   for (std::size_t i = 0; i < piece.size(); ++i) {
     const Vec3& from = piece[i];
@@ -121,10 +121,10 @@ std::vector<Vec3> shownPiece(const mesh::TriangleMesh& mesh, const Triangle& tri
   std::vector<Vec3> piece;
   for (const Index vertex : triangle) piece.push_back(mesh.positions[vertex]);
   if (part.box.isEmpty()) return piece;
-  piece = keptSide(piece, part.across, part.box.min().x());
-  piece = keptSide(piece, -part.across, -part.box.max().x());
-  piece = keptSide(piece, part.along, part.box.min().y());
-  return keptSide(piece, -part.along, -part.box.max().y());
+  piece = clipToHalfSpace(piece, part.across, part.box.min().x());
+  piece = clipToHalfSpace(piece, -part.across, -part.box.max().x());
+  piece = clipToHalfSpace(piece, part.along, part.box.min().y());
+  return clipToHalfSpace(piece, -part.along, -part.box.max().y());
 }
 
 figures::MeshView heatView(const trace::TouchedSurface& surface, const HeatValues& heat, const ReportSight& sight,

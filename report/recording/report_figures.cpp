@@ -60,7 +60,7 @@ void forEachRun(const trace::TickSeries& series, Measured measured, const Visit&
 }
 
 double bucketMidTime(const RecordingReport& report, const trace::TickSeries& series, std::size_t bucket) {
-  const double ticks = (static_cast<double>(bucket) + 0.5) * static_cast<double>(series.ticksABucket());
+  const double ticks = (static_cast<double>(bucket) + 0.5) * static_cast<double>(series.ticksPerBucket());
   return report.secondsAt(series.firstTick()) + ticks / report.statistics.ticks_per_s;
 }
 
@@ -82,7 +82,7 @@ void addCourse(const RecordingReport& report, const trace::TickSeries& series, c
     for (std::size_t b = end; b-- > begin;) {
       outline.emplace_back(bucketMidTime(report, series, b), series.buckets()[b].values[i].least);
     }
-    if (series.ticksABucket() > 1) band.paths.push_back(std::move(outline));
+    if (series.ticksPerBucket() > 1) band.paths.push_back(std::move(outline));
     line.x.push_back(bucketMidTime(report, series, end));
     line.y.push_back(std::numeric_limits<double>::quiet_NaN());
   });
@@ -183,7 +183,7 @@ ReportPicture coursePicture(const RecordingReport& report) {
   figure.panels.assign(panels.begin(), panels.end());
   std::uint64_t ticks = 1;
   for (const trace::FingerStatistics& finger : report.statistics.fingers) {
-    ticks = std::max(ticks, finger.series.ticksABucket());
+    ticks = std::max(ticks, finger.series.ticksPerBucket());
   }
   std::string caption =
       tr("Force of the contact, depth of the tip under the skin and speed of the finger over time; below, what each "
@@ -210,7 +210,7 @@ double shownMost(const RecordingReport& report, Measured measured) {
 }
 
 /// The outline of the bars of one finger: each its share of contact.
-figures::Series outlineOf(const trace::FixedHistogram& histogram, std::size_t bins_a_bar) {
+figures::Series histogramOutline(const trace::FixedHistogram& histogram, std::size_t bins_a_bar) {
   figures::Series outline{.width_px = 1.6};
   const auto all = static_cast<double>(histogram.count());
   const double width = static_cast<double>(bins_a_bar) * histogram.binWidth();
@@ -242,7 +242,7 @@ Plot distributionPlot(const RecordingReport& report, const MeasuredPanel& panel)
   for (std::size_t f = 0; f < report.statistics.fingers.size(); ++f) {
     const trace::FixedHistogram& histogram = report.statistics.fingers[f].of(panel.measured);
     if (histogram.count() == 0) continue;
-    figures::Series outline = outlineOf(histogram, bins_a_bar);
+    figures::Series outline = histogramOutline(histogram, bins_a_bar);
     outline.name = readableText(report.facts.fingers[f].name);
     outline.colour = figures::seriesColour(f);
     plot.series.push_back(std::move(outline));

@@ -33,7 +33,7 @@ Json distributionJson(const trace::FixedHistogram& histogram) {
 
 Json seriesJson(const RecordingReport& report, const trace::TickSeries& series) {
   Json json = {{"from_s", report.secondsAt(series.firstTick())},
-               {"step_s", report.statistics.seconds(series.ticksABucket())}};
+               {"step_s", report.statistics.seconds(series.ticksPerBucket())}};
   Json ticks = Json::array();
   Json touching = Json::array();
   for (const trace::SeriesBucket& bucket : series.buckets()) {

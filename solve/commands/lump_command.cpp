@@ -171,14 +171,14 @@ void runLumpShow(const LumpShowArguments& arguments) {
                                .edge = arguments.edge};
   const tissue::LumpEnergy energy = place.energyOf(lump);
   const double thickness = tissue::totalThickness(place.stack);
-  Json json = {{"young_kpa", tissue::youngOf(lump, place.stack)},
+  Json json = {{"young_kpa", tissue::youngModulus(lump, place.stack)},
                {"bottom_mm", lump.bottomMm()},
                {"bone_mm", thickness},
                {"presses", Json::array()}};
   std::string text =
       fmt::format("lump of {:g} x {:g} mm, top {:g} mm under the skin, {:.4g} kPa; bone {:.4g} mm deep\n",
                   2.0 * lump.half_axes_mm[0], 2.0 * lump.half_axes_mm[2], lump.depth_mm,
-                  tissue::youngOf(lump, place.stack), thickness);
+                  tissue::youngModulus(lump, place.stack), thickness);
   text += "   depth     force    extra    share   sideways, at best\n";
   for (const double depth : {3.0, 5.0, 8.0}) {
     const double force = depth * without.secantAt(thickness, depth);

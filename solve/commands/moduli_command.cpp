@@ -30,7 +30,7 @@ std::string moduliText() {
                         modulus.is_default ? "*" : " ", modulus.how, formatSource(modulus.source, modulus.doubt));
   }
   text += "\n* the default. Young's modulus at rest.\n";
-  text += std::string(tissue::whatModuliMean()) + "\n";
+  text += std::string(tissue::moduliCaveat()) + "\n";
   text += fmt::format("\n{:<18} {:>14}  {}\n", "friction", "coefficient", "how: source");
   for (const tissue::PublishedFriction& friction : tissue::publishedFriction()) {
     text += fmt::format("{:<18} {:>14}  {}: {}\n", friction.surface, formatRange(friction.low, friction.high),
@@ -65,7 +65,7 @@ Json moduliJson() {
     json["friction_presets"].push_back(
         {{"name", preset.name}, {"static", preset.still}, {"kinetic", preset.slipping}, {"why", preset.why}});
   }
-  json["note"] = tissue::whatModuliMean();
+  json["note"] = tissue::moduliCaveat();
   return json;
 }
 

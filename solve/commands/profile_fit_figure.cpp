@@ -54,7 +54,7 @@ Plot fittedDown(const ProfileResult& result) {
     const SkinProfile& profile = result.profiles[i];
     const figures::Colour colour = depthColour(i, result.profiles.size());
     plot.series.push_back(placesAt(profile, profile.down_mm, -1.0, colour));
-    plot.series.push_back(fitLine(result.chosenFit(i), profile, -1.0, colour, tissue::downOf));
+    plot.series.push_back(fitLine(result.chosenFit(i), profile, -1.0, colour, tissue::downShare));
   }
   return plot;
 }
@@ -67,7 +67,7 @@ Plot fittedOutward(const ProfileResult& result) {
     const SkinProfile& profile = result.profiles[i];
     const figures::Colour colour = depthColour(i, result.profiles.size());
     plot.series.push_back(placesAt(profile, profile.outward_mm, 1.0, colour));
-    plot.series.push_back(fitLine(result.chosenFit(i), profile, 1.0, colour, tissue::outwardOf));
+    plot.series.push_back(fitLine(result.chosenFit(i), profile, 1.0, colour, tissue::outwardShare));
   }
   return plot;
 }

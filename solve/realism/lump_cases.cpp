@@ -94,7 +94,7 @@ LumpCase caseFrom(const Json& json, const LumpCases& cases) {
   return one;
 }
 
-BesideCase besideFrom(const Json& json, const LumpCases& cases) {
+BesideCase parseBesideCase(const Json& json, const LumpCases& cases) {
   BesideCase one{.name = json.at("name").get<std::string>(),
                  .stack = stackNamed(cases, json.at("stack").get<std::string>()),
                  .lump = lumpFrom(json.at("lump")),
@@ -156,7 +156,7 @@ void solve(LumpCase& one, const tissue::LayerStack& stack, const std::vector<dou
   constexpr std::size_t kRings = 9;
   elements::PressSettings settings = elements::pressBeside(one.lump, stack);
   const elements::PressSolution without = elements::solvePress(stack, settings);
-  settings.lump->young_kpa = tissue::youngOf(one.lump, stack);
+  settings.lump->young_kpa = tissue::youngModulus(one.lump, stack);
   const elements::PressSolution with = elements::solvePress(stack, settings);
   const std::size_t count = std::min(without.table.shapes.size(), with.table.shapes.size());
   for (std::size_t i = 0; i < count && i < settings.depths_mm.size(); ++i) {
@@ -192,7 +192,7 @@ LumpCases parseLumpCases(std::string_view text, const std::filesystem::path& fil
     const Json root = Json::parse(text);
     readStacks(root, cases);
     for (const Json& json : root.at("cases")) cases.cases.push_back(caseFrom(json, cases));
-    for (const Json& json : root.value("off_axis", Json::array())) cases.beside.push_back(besideFrom(json, cases));
+    for (const Json& json : root.value("off_axis", Json::array())) cases.beside.push_back(parseBesideCase(json, cases));
     readField(root, cases);
   } catch (const JsonError& error) {
     throw Error::inFile(file.string(), fmt::format("is not a file of lump cases: {}", error.what()));

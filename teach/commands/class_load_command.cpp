@@ -41,7 +41,7 @@ struct ClassLoadArguments {
 };
 
 /// Trials of the whole class. Waits up to a minute for a database that was just killed.
-std::multiset<training::Uuid> trialsWhenItAnswers(const std::string& database) {
+std::multiset<training::Uuid> waitForTrials(const std::string& database) {
   constexpr int kAttempts = 120;
   for (int attempt = 1;; ++attempt) {
     try {
@@ -60,7 +60,7 @@ std::multiset<training::Uuid> trialsWhenItAnswers(const std::string& database) {
 
 /// Against what stations have kept: how many are not there, and how many are there more than once.
 Json comparedWith(const std::string& database, const std::set<training::Uuid>& trials) {
-  const std::multiset<training::Uuid> there = trialsWhenItAnswers(database);
+  const std::multiset<training::Uuid> there = waitForTrials(database);
   std::size_t lost = 0;
   std::size_t duplicates = 0;
   for (const training::Uuid& id : trials) {

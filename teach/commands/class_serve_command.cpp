@@ -92,7 +92,7 @@ BrokerFiles brokerFiles(const classroom::ClassFolder& folder) {
   return times;
 }
 
-void warnOfCertificates(const classroom::ClassFolder& folder) {
+void warnAboutCertificates(const classroom::ClassFolder& folder) {
   for (const std::string& line : classroom::certificateWarnings(classroom::certificateLives(folder))) {
     say(fmt::format("palpate: {}\n", line));
   }
@@ -142,7 +142,7 @@ void runClassServe(const ClassServeArguments& arguments) {
   auto sink = sinkFor(arguments, folder);
   tryDatabase(*sink);
   classroom::Collector collector(member, std::move(sink));
-  warnOfCertificates(folder);
+  warnAboutCertificates(folder);
   auto warns_next = Clock::now() + kWarnsAgain;
   ProgressLine progress;
   const auto started = Clock::now();
@@ -154,7 +154,7 @@ void runClassServe(const ClassServeArguments& arguments) {
     next += std::chrono::seconds(1);
     if (broker) broker->attend();
     if (Clock::now() >= warns_next) {
-      warnOfCertificates(folder);
+      warnAboutCertificates(folder);
       warns_next += kWarnsAgain;
     }
     const classroom::CollectorReport report = collector.report();

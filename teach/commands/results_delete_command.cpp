@@ -42,7 +42,7 @@ RowsOf rowsOf(Store& store, const training::TraineeRow& trainee) {
   return rows;
 }
 
-bool saidYes(const RowsOf& rows, const training::TraineeRow& trainee, std::string_view what) {
+bool confirmDeletion(const RowsOf& rows, const training::TraineeRow& trainee, std::string_view what) {
   say(fmt::format("Delete trainee {} for ever: {} sessions, {} trials{}?\nType yes to delete: ", trainee.id,
                   rows.sessions, rows.trials, what));
   std::string answer;
@@ -78,7 +78,7 @@ void runResultsDelete(const DeleteArguments& arguments) {
   const bool in_database = classroom::isDatabaseAddress(arguments.results.file);
   const training::TraineeRow trainee = traineeCalled(store, arguments.trainee);
   const std::string_view what = in_database ? ", in the class's database" : ", their recordings and their key";
-  if (!arguments.yes && !saidYes(rowsOf(store, trainee), trainee, what)) {
+  if (!arguments.yes && !confirmDeletion(rowsOf(store, trainee), trainee, what)) {
     fmt::print(stderr, "nothing was deleted (--yes does not ask)\n");
     throw ExitWith(1);
   }

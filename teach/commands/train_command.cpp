@@ -127,7 +127,7 @@ bool trainInWindow(const TrainOptions& options) {
   messages.markRead();
   viewer.finish(endingSignal() == 0 ? "done" : nameOfSignal(endingSignal()));
   if (messages.unread() > 0) throw Error(messages.all().back().text);
-  return training.goesBack() && endingSignal() == 0;
+  return training.returnsToStartPage() && endingSignal() == 0;
 }
 
 void showScreens(const TrainOptions& options) {

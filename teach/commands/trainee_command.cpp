@@ -47,7 +47,7 @@ std::int64_t startMs(const std::string& words) {
   return std::int64_t{1000} * ::timegm(&time);
 }
 
-std::string formatPercent(double share) { return fmt::format("{:.3g}", 100.0 * share); }
+std::string formatPercentNumber(double share) { return fmt::format("{:.3g}", 100.0 * share); }
 
 int countFlaggedTrials(const SessionOutcome& sat, int sites) {
   return static_cast<int>(
@@ -69,7 +69,7 @@ std::string trialLine(const training::TrialRow& trial) {
   if (!trial.lumps.empty()) return lumpTrialLine(trial);
   const char* verdict = trial.timed_out ? "no answer in time" : trial.correct ? "right" : "wrong";
   return fmt::format("  trial {:2}: change {} %, site {}, answered {}: {}; {} felt, {:.1f} s\n", trial.number,
-                     formatPercent(trial.change), trial.site_true, trial.site_answer, verdict, trial.sites_felt,
+                     formatPercentNumber(trial.change), trial.site_true, trial.site_answer, verdict, trial.sites_felt,
                      trial.seconds);
 }
 
@@ -101,10 +101,10 @@ std::string sessionLine(const SessionOutcome& sat, int sites, double wall_s) {
   if (training::hidesLumps(sat.row.kind)) return line + formatLumpResults(sat) + formatSessionTime(sat, wall_s);
   if (sat.resumed) line += ", went on with an earlier block";
   if (block.trials > 0) {
-    line += fmt::format("; T {} % ({} to {} %)", formatPercent(block.threshold), formatPercent(block.threshold_low),
-                        formatPercent(block.threshold_high));
+    line += fmt::format("; T {} % ({} to {} %)", formatPercentNumber(block.threshold),
+                        formatPercent(block.threshold_low), formatPercentNumber(block.threshold_high));
   }
-  if (block.mastered_change) line += fmt::format("; level {} %", formatPercent(*block.mastered_change));
+  if (block.mastered_change) line += fmt::format("; level {} %", formatPercentNumber(*block.mastered_change));
   if (block.verdict != training::Verdict::none) line += fmt::format("; {}", wordFor(block.verdict));
   if (const int flagged = countFlaggedTrials(sat, sites); flagged > 0) {
     line += fmt::format("; {} trials with places not felt", flagged);
@@ -337,8 +337,8 @@ class TraineeCommand {
       double squares = 0.0;
       for (const double threshold : thresholds) squares += (threshold - mean) * (threshold - mean);
       lines += fmt::format("{}: {} trainees, smallest reliable change {} % on average (SD {} %)\n", wordFor(kind),
-                           thresholds.size(), formatPercent(mean),
-                           formatPercent(std::sqrt(squares / std::max(1.0, n - 1.0))));
+                           thresholds.size(), formatPercentNumber(mean),
+                           formatPercentNumber(std::sqrt(squares / std::max(1.0, n - 1.0))));
     }
     return lines;
   }

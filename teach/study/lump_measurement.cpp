@@ -350,7 +350,7 @@ std::vector<OtherSet> otherSets(const SiliconeSet& set) {
           changed("a press of 2 N", [](SiliconeSet& s) { s.press_n = 2.0; })};
 }
 
-void assumeOtherwise(const Progress& progress, LumpMeasurement& found) {
+void evaluateOtherSets(const Progress& progress, LumpMeasurement& found) {
   const std::vector<OtherSet> others = otherSets(found.set);
   const ExaminedGroup& later = found.groups.front();
   for (std::size_t i = 0; i < others.size(); ++i) {
@@ -416,7 +416,7 @@ LumpMeasurement measureLumps(const LumpPlan& plan, const Progress& progress) {
   }
   collectCues(set, found);
   measureTwoPresses(set, found.groups.front().observer, found);
-  if (plan.otherwise) assumeOtherwise(progress, found);
+  if (plan.otherwise) evaluateOtherSets(progress, found);
   return found;
 }
 

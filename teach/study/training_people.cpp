@@ -78,7 +78,7 @@ LearningErrors learningErrors(const std::vector<SessionAnswers>& sessions) {
 }
 
 /// Share of the sessions' truths that the band of a fit holds.
-double heldByBand(const training::LearningFit& fit) {
+double bandCoverage(const training::LearningFit& fit) {
   double held = 0.0;
   for (const training::CurvePoint& point : fit.curve) {
     const double truth = truthOfSession(static_cast<int>(point.session));
@@ -213,7 +213,7 @@ void measureLearning(TrainingMeasurement& found, const Progress& progress) {
       const auto sessions =
           simulateSessions(trials, runSeed(found.plan.seed, cellNumber(TrainingPart::learning, cell), i));
       each[i] = learningErrors(sessions);
-      if (trials == kTrialsOfATest && i < 100) held[i] = heldByBand(*training::fitLearning(sessions));
+      if (trials == kTrialsOfATest && i < 100) held[i] = bandCoverage(*training::fitLearning(sessions));
     });
     LearningRow row{.trials = trials};
     const auto n = static_cast<double>(people);

@@ -100,7 +100,7 @@ scene::Scene LumpSessionRun::makeScene(const scene::Scene& base) const {
   return training::lumpScene(base, session_.plan().bodies->task(), session_.hidden());
 }
 
-void LumpSessionRun::worldCame(const scene::World& world) {
+void LumpSessionRun::handleNewWorld(const scene::World& world) {
   feet_.clear();
   for (const auto& lump : world.lumps) feet_.push_back(lump->lump.foot);
   markPlaces();

@@ -46,7 +46,7 @@ class LumpSessionRun {
   TrialWorld::Body wanted() const;
   scene::Scene makeScene(const scene::Scene& base) const;
   /// Call once the world with the hidden lumps is at work.
-  void worldCame(const scene::World& world);
+  void handleNewWorld(const scene::World& world);
   void ready(const training::Moment& now) { session_.ready(now); }
   void feel(const trace::Sample& sample, const training::Moment& now);
   /// Handles a button or key; true: the session is over and may be closed.

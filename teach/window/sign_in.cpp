@@ -77,7 +77,7 @@ void SignIn::choices() {
   stage_ = TrainingStage::choice;
 }
 
-void SignIn::comeBack(std::string notice) {
+void SignIn::returnToChoice(std::string notice) {
   settings_.kind.reset();
   choices();
   notice_ = std::move(notice);

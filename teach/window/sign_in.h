@@ -39,7 +39,7 @@ class SignIn {
   /// True if the act meant something here. Throws Error where the record cannot be written.
   bool act(TrainingAct act, int value);
   /// Returns to the choice after a session that is over or could not begin.
-  void comeBack(std::string notice = {});
+  void returnToChoice(std::string notice = {});
   void setNotice(std::string notice) { notice_ = std::move(notice); }
 
   TrainingStage stage() const { return stage_; }

@@ -51,7 +51,7 @@ void words(ImDrawList& list, const ImVec2& middle, const char* text, ImU32 ink) 
 }
 
 /// From the outside towards the site, with its words at the far end: an arrow to a true one, else a plain line.
-void leadTo(ImDrawList& list, const ImVec2& at, bool from_left, bool arrow, const std::string& says) {
+void drawLeader(ImDrawList& list, const ImVec2& at, bool from_left, bool arrow, const std::string& says) {
   const float away = from_left ? -1.0f : 1.0f;
   const ImVec2 tip(at.x + away * (kTagAway + kTagRadius + 4.0f), at.y);
   const ImVec2 tail(tip.x + away * (arrow ? 44.0f : 22.0f), at.y);
@@ -102,7 +102,7 @@ int paintSiteMarks(const TrainingScreen& screen, const std::vector<SeenSite>& si
     const ImVec2 tag(at.x + (seen.tag_left ? -kTagAway : kTagAway), at.y);
     list.AddCircleFilled(tag, kTagRadius, kDarkInk, kRound);
     words(list, tag, fmt::format("{}", mark.number).c_str(), kLightInk);
-    if (!mark.word.empty()) leadTo(list, at, seen.tag_left, mark.is_true, mark.word);
+    if (!mark.word.empty()) drawLeader(list, at, seen.tag_left, mark.is_true, mark.word);
     if (!screen.picks_sites) continue;
     widgetPlaces()[fmt::format("training/tag/{}", mark.number)] = {tag.x - kTagRadius, tag.y - kTagRadius,
                                                                    tag.x + kTagRadius, tag.y + kTagRadius};

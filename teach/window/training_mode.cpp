@@ -124,7 +124,7 @@ TrialWorld::Body TrainingMode::wanted() const {
   return {session.hidden(), trial};
 }
 
-void TrainingMode::layBody(ViewerState& viewer, WorldSwap& world_swap) {
+void TrainingMode::requestTrialBody(ViewerState& viewer, WorldSwap& world_swap) {
   if (!run_ && !lumps_) return;
   if (world_.waiting() && !world_swap.failure().empty()) {
     state_ = State::trouble;
@@ -143,12 +143,12 @@ void TrainingMode::layBody(ViewerState& viewer, WorldSwap& world_swap) {
   compose();
 }
 
-void TrainingMode::worldCame(const scene::World& world) {
+void TrainingMode::handleNewWorld(const scene::World& world) {
   if (lumps_ && world_.waiting()) {
     scene::Scene wanted = lumps_->makeScene(base_);
     if (!world_.requested() || !world_.requested()->hidden) wanted.lumps.clear();
     world_.taken(sameLumps(world.scene, wanted));
-    return lumps_->worldCame(world);
+    return lumps_->handleNewWorld(world);
   }
   if (!run_ || !world_.waiting()) return;
   const training::SessionPlan& plan = run_->session().plan();
@@ -482,7 +482,7 @@ void TrainingMode::handle(const TrainingClick& click, ViewerState& viewer, LiveS
       beginSession(viewer, servo);
     } else if (click.act == TrainingAct::no) {
       kind_.reset();
-      sign_in_.comeBack();
+      sign_in_.returnToChoice();
     }
   } else if (settings_.leads_back && click.act == TrainingAct::no && sign_in_.asksForCode()) {
     quit_ = goes_back_ = true;
@@ -591,7 +591,7 @@ void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
       run_ = std::make_unique<SessionRun>(store_, servo, std::move(plan), now());
     }
   } catch (const Error& error) {
-    return sign_in_.comeBack(error.what());
+    return sign_in_.returnToChoice(error.what());
   }
   spoken_ = 0;
   picked_ = 0;
@@ -606,7 +606,7 @@ void TrainingMode::endSession() {
   if (keyboard_.presses) keyboard_.press(false);
   world_.clear();
   state_ = State::going_on;
-  sign_in_.comeBack(words.empty() ? tr("Saved.") : words);
+  sign_in_.returnToChoice(words.empty() ? tr("Saved.") : words);
 }
 
 void TrainingMode::storeNewRows() {
@@ -684,13 +684,13 @@ void TrainingMode::advance(const ModeWork& work) {
   followSafety(viewer);
   followClass();
   storeNewRows();
-  layBody(viewer, work.world_swap);
+  requestTrialBody(viewer, work.world_swap);
   speak();
   compose();
 }
 
 std::string TrainingMode::finish(std::string_view ended_by) {
-  voice_.hush();
+  voice_.stopSpeaking();
   if (lumps_) {
     const std::string words = lumps_->finish(ended_by, now());
     lumps_.reset();

@@ -50,7 +50,7 @@ class TrainingMode : public Mode {
   /// Sites of this body, a plain look, a mouse that presses with a force. Throws Error for a body that does not have
   /// the places of the protocol.
   void begin(ViewerState& viewer, const scene::World& world, window::Gui& gui) override;
-  void worldCame(const scene::World& world) override;
+  void handleNewWorld(const scene::World& world) override;
   void feel(const trace::Sample& sample) override;
   /// The sites with room around them.
   std::optional<Eigen::AlignedBox3d> homeBox() const override;
@@ -66,7 +66,7 @@ class TrainingMode : public Mode {
   void advance(const ModeWork& work) override;
   bool wantsToQuit() const override { return quit_; }
   /// To the start page, once the window is closed.
-  bool goesBack() const { return goes_back_; }
+  bool returnsToStartPage() const { return goes_back_; }
   /// Skin as it is, and nothing that would give a place away.
   void adjust(view::PictureSettings& picture) const override;
   /// How far the mouse's finger sinks, as rings: a visual substitute for the hand.
@@ -128,7 +128,7 @@ class TrainingMode : public Mode {
   void followSafety(const ViewerState& viewer);
   void followClass();
   TrialWorld::Body wanted() const;
-  void layBody(ViewerState& viewer, WorldSwap& world_swap);
+  void requestTrialBody(ViewerState& viewer, WorldSwap& world_swap);
   void speak();
   void compose();
 

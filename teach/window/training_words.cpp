@@ -97,7 +97,7 @@ TrainingScreen choiceScreen(const TrainingView& view) {
   return screen;
 }
 
-TrainingScreen thimbleScreen(const TrainingView& view) {
+TrainingScreen thimbleChoiceScreen(const TrainingView& view) {
   TrainingScreen screen;
   screen.title = tr("What touches your finger?");
   screen.lines = {trf("The device is {}. Results belong to what you feel with.", view.device)};
@@ -289,7 +289,7 @@ TrainingScreen sessionScreen(const TrainingView& view) {
         const training::TrialRow& trial = session.trials().back();
         screen.outcome = trial.correct ? TrainingScreen::Outcome::right : TrainingScreen::Outcome::wrong;
         const training::Site* own = session.plan().sites.numbered(trial.site_answer);
-        if (own != nullptr && !trial.correct) screen.lines.push_back(training::yourAnswerWas(*own));
+        if (own != nullptr && !trial.correct) screen.lines.push_back(training::wrongAnswerReview(*own));
       }
       addSink(view, screen);
       nextButton(tr("Next"), screen);
@@ -323,7 +323,7 @@ TrainingScreen stageScreen(const TrainingView& view) {
     case TrainingStage::choice:
       return choiceScreen(view);
     case TrainingStage::thimble:
-      return thimbleScreen(view);
+      return thimbleChoiceScreen(view);
     case TrainingStage::session:
       return sessionScreen(view);
   }

@@ -73,7 +73,7 @@ std::optional<std::string> speechProgram() {
   return inPath(wanted);
 }
 
-Voice::~Voice() { hush(); }
+Voice::~Voice() { stopSpeaking(); }
 
 void Voice::say(const std::string& sentence) {
   if (!program_ || sentence.empty()) return;
@@ -92,7 +92,7 @@ void Voice::advance() {
   if (program_ && waiting_) begin(*std::exchange(waiting_, std::nullopt));
 }
 
-void Voice::hush() {
+void Voice::stopSpeaking() {
   waiting_.reset();
   if (child_ <= 0) return;
   ::kill(child_, SIGTERM);

@@ -27,7 +27,7 @@ class Voice {
   /// Once a frame.
   void advance();
   /// Drops waiting sentences; the current one ends.
-  void hush();
+  void stopSpeaking();
   bool speaks() const { return child_ > 0 || waiting_.has_value(); }
   bool can() const { return program_.has_value(); }
 

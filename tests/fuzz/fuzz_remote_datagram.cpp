@@ -28,7 +28,7 @@ void converse(RemoteGate& gate, std::string_view text, bool keyed) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     tick += first / 2;
     gate.tick(tick);
-    const auto pose = gate.take(text.substr(0, end), kPeers[first % 2], tick);
+    const auto pose = gate.acceptPose(text.substr(0, end), kPeers[first % 2], tick);
     require(gate.reply().size() <= end);
     if (pose) {
       ++poses;

@@ -45,7 +45,7 @@ void endInOrder(std::unique_ptr<system::FedProgram>& program) {
 }
 
 /// True once, when it has ended; `trouble` has the reason of a failure.
-bool tookEnd(std::unique_ptr<system::FedProgram>& program, const char* what, std::string& trouble) {
+bool hasJustEnded(std::unique_ptr<system::FedProgram>& program, const char* what, std::string& trouble) {
   if (!program || !program->hasEnded()) return false;
   const std::string words = lastOutputLine(program->said());
   const system::FedProgram::Ending ending = program->finish();
@@ -116,11 +116,12 @@ void ClassRun::end(ClassShown& shown) {
 void ClassRun::advance(double now_s, ClassShown& shown) {
   if (now_s - looked_s_ < kLooksEveryS) return;
   looked_s_ = now_s;
-  if (init_ && tookEnd(init_, toTranslate("Making the class"), shown.trouble) && shown.trouble.empty()) serve(shown);
-  follow(shown);
+  if (init_ && hasJustEnded(init_, toTranslate("Making the class"), shown.trouble) && shown.trouble.empty())
+    serve(shown);
+  pollPrograms(shown);
 }
 
-void ClassRun::follow(ClassShown& shown) {
+void ClassRun::pollPrograms(ClassShown& shown) {
   if (serve_ && !serve_->hasEnded()) {
     shown.words = lastOutputLine(serve_->said());
     // Its first output means that broker and collector are running.
@@ -129,9 +130,9 @@ void ClassRun::follow(ClassShown& shown) {
       watch(shown.folder, shown);
     }
   }
-  if (tookEnd(serve_, toTranslate("The class"), shown.trouble)) shown.runs = false;
-  if (tookEnd(watch_, toTranslate("The teacher's window"), shown.trouble)) shown.watched = false;
-  if (tookEnd(join_, toTranslate("The training"), shown.trouble)) shown.joined = false;
+  if (hasJustEnded(serve_, toTranslate("The class"), shown.trouble)) shown.runs = false;
+  if (hasJustEnded(watch_, toTranslate("The teacher's window"), shown.trouble)) shown.watched = false;
+  if (hasJustEnded(join_, toTranslate("The training"), shown.trouble)) shown.joined = false;
 }
 
 }  // namespace palpate::viewer

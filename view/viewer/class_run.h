@@ -39,7 +39,7 @@ class ClassRun {
   using Program = std::unique_ptr<system::FedProgram>;
   Program started(std::vector<std::string> words, ClassShown& shown) const;
   void serve(ClassShown& shown);
-  void follow(ClassShown& shown);
+  void pollPrograms(ClassShown& shown);
 
   std::filesystem::path teach_;
   Program init_, serve_, watch_, join_;

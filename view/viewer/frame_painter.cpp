@@ -27,14 +27,14 @@ bool sameView(const view::Camera& a, const view::Camera& b) {
          a.distance_mm == b.distance_mm && a.height_rad == b.height_rad;
 }
 
-bool isAway(const contact::FingerOutput& finger) { return finger.tip.z() > 0.5 * device::kNowhere.z(); }
+bool isOffBody(const contact::FingerOutput& finger) { return finger.tip.z() > 0.5 * device::kNowhere.z(); }
 
 std::vector<view::FingerMark> marksBeside(const FrameParts& frame) {
   std::vector<view::FingerMark> marks;
   const TouchHistory::Moment& moment = frame.replay.momentBeside(frame.viewer.replay);
   const std::vector<double>& radius_mm = frame.replay.beside()->touch.radius_mm;
   for (std::size_t i = 0; i < std::min(kFingers, radius_mm.size()); ++i) {
-    if (isAway(moment[i].contact)) continue;
+    if (isOffBody(moment[i].contact)) continue;
     const double radius = radius_mm[i];
     marks.push_back({.contact = moment[i].contact,
                      .radius_mm = radius <= 0.0 ? kDrawnPointMm : radius,
@@ -142,7 +142,7 @@ std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame)
   std::vector<view::FingerMark> marks;
   for (std::size_t i = 0; i < kFingers; ++i) {
     peaks_[i].follow(viewer.fingers[i], viewer.now_s);
-    if (!viewer.finger_present[i] || isAway(viewer.fingers[i])) continue;
+    if (!viewer.finger_present[i] || isOffBody(viewer.fingers[i])) continue;
     const bool has_radius = recorded != nullptr && i < recorded->radius_mm.size();
     const double radius = has_radius ? recorded->radius_mm[i] : fingerRadius(viewer.scene, i);
     const bool left = i == 0;

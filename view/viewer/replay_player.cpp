@@ -37,8 +37,9 @@ void ReplayPlayer::playScript(const std::shared_ptr<const scene::World>& world, 
     viewer.report(Severity::info, kStillReading);
 }
 
-void ReplayPlayer::take(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer) {
-  auto result = loader_.take();
+void ReplayPlayer::collectResult(const std::shared_ptr<const scene::World>& world, LiveModel& model,
+                                 ViewerState& viewer) {
+  auto result = loader_.collectResult();
   if (!result) return;
   if (!result->touch) return viewer.report(Severity::error, trf("cannot replay {}", result->error));
   viewer.messages.clearErrors(trf("cannot replay {}", std::string()));

@@ -26,11 +26,11 @@ class ReplayPlayer {
             ViewerState& viewer);
   /// Starts or ends the scene's own fingers.
   void playScript(const std::shared_ptr<const scene::World>& world, ViewerState& viewer);
-  /// Progress of the current reading, if any; a recording's body may take long to build.
+  /// Progress of the current reading, if any; a recording's body may be slow to build.
   std::optional<engine::BuildProgress> progress() const { return loader_.progress(); }
   void cancel(ViewerState& viewer);
   /// Shows the result of reading, frozen at its beginning.
-  void take(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer);
+  void collectResult(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer);
 
   /// Adds a tick of a finger, while the present is shown.
   void add(const trace::Sample& sample) { history_.add(sample); }

@@ -40,7 +40,7 @@ void RequestHandler::advance() {
   checkOrientation();
   static constexpr PreviewLimits kLook{
       .max_bytes = std::uint64_t{256} << 20, .max_seconds = 3.0, .width = 1, .height = 1};
-  const auto seen = look_.take();
+  const auto seen = look_.collectResult();
   if (seen && !to_measure_) askForUnit(measured_, seen->value ? seen->value->longest_units : std::nullopt);
   if (!to_measure_ || look_.busy()) return;
   measured_ = *std::exchange(to_measure_, std::nullopt);
@@ -52,7 +52,7 @@ void RequestHandler::checkOrientation() {
   ViewerState& viewer = parts_.viewer;
   const std::shared_ptr<const scene::Body>& body = parts_.world->body;
   const bool is_file = parts_.world->scene.body.kind == scene::BodyKind::mesh;
-  if (const auto turned = turning_.take()) {
+  if (const auto turned = turning_.collectResult()) {
     if (!turned->value) return viewer.report(Severity::error, turned->error);
     viewer.scene.body.file = *turned->value;
     viewer.scene.body.unit = scene::Unit::millimetre;
@@ -60,7 +60,7 @@ void RequestHandler::checkOrientation() {
     viewer.output.changed |= kBodyChange;
     viewer.report(Severity::info, trf("Turned over: {}", turned->value->string()));
   }
-  if (const auto doubt = sides_.take()) {
+  if (const auto doubt = sides_.collectResult()) {
     turn_over_ = doubt->value.value_or(mesh::TurnOver::none);
     if (turn_over_ != mesh::TurnOver::none && !viewer.question) {
       viewer.ask({.kind = Question::Kind::turn,
@@ -119,7 +119,7 @@ void RequestHandler::saveThen(const SaveScene& request, const std::optional<Requ
   ViewerState& viewer = parts_.viewer;
   const Outputs::Saving saving = parts_.outputs.saveScene(viewer, request);
   if (saving == Outputs::Saving::asked) viewer.question->then = then;
-  if (saving == Outputs::Saving::done && then) handle(madeSure(*then));
+  if (saving == Outputs::Saving::done && then) handle(asConfirmed(*then));
 }
 
 void RequestHandler::handle(const CopyScene& /*request*/) {
@@ -163,7 +163,7 @@ void RequestHandler::handle(const AnswerQuestion& request) {
   }
   if (question.kind == Question::Kind::overwrite) return saveThen({question.file, true}, question.then);
   if (chosen == question.answers.front()) return saveThen({}, question.then);
-  if (question.then) handle(madeSure(*question.then));
+  if (question.then) handle(asConfirmed(*question.then));
 }
 
 // ---- pictures and recordings

@@ -90,7 +90,7 @@ void Viewer::frame(int width, int height, double scale, double now_s, std::span<
   viewer_.now_s = now_s;
   makeTarget(width, height);
   adoptWorld();
-  replay_.take(world_, *model_, viewer_);
+  replay_.collectResult(world_, *model_, viewer_);
   followServo(elapsed_s);
   const double points = scale * viewer_.state.text_size;
   if (std::exchange(theme_, viewer_.state.theme) != viewer_.state.theme) gui_.setTheme(viewer_.state.theme);
@@ -149,7 +149,7 @@ void Viewer::adoptWorld() {
   const bool other_scene = std::exchange(viewer_.opening, false);
   world_ = shown.world;
   model_->setWorld(world_);
-  for (const auto& mode : modes_) mode->worldCame(*world_);
+  for (const auto& mode : modes_) mode->handleNewWorld(*world_);
   updateFacts();
   if (viewer_.profile.handle < 0) viewer_.profile.knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;

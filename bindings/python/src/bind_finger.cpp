@@ -220,7 +220,7 @@ FingerHandle* fingerIn(PyObject* self) {
 }
 
 /// The usual tips without numpy's help: three floats of a list or a tuple, an array of three float64.
-bool quickTip(PyObject* const* given, Py_ssize_t count, Vec3& tip) {
+bool readTipFast(PyObject* const* given, Py_ssize_t count, Vec3& tip) {
   if (count == 1) {
     PyObject* one = given[0];
     if (PyTuple_CheckExact(one) || PyList_CheckExact(one)) {
@@ -246,7 +246,7 @@ bool quickTip(PyObject* const* given, Py_ssize_t count, Vec3& tip) {
   return true;
 }
 
-Vec3 anyTip(PyObject* const* given, Py_ssize_t count) {
+Vec3 readAnyTip(PyObject* const* given, Py_ssize_t count) {
   if (count == 1) return asPoint(given[0], "tip");
   if (count != 3) throw py::type_error("step() takes a tip (3,) or x, y and z");
   Vec3 tip;
@@ -259,7 +259,7 @@ PyObject* step(PyObject* self, PyObject* const* given, Py_ssize_t count) {
   if (handle == nullptr) return nullptr;
   try {
     Vec3 tip;
-    if (!quickTip(given, count, tip)) tip = anyTip(given, count);
+    if (!readTipFast(given, count, tip)) tip = readAnyTip(given, count);
     return py::cast(handle->finger.feel(tip)).release().ptr();
   } catch (py::error_already_set& error) {
     error.restore();

@@ -138,10 +138,10 @@ void bindProfileFit(py::module_& module) {
       .def_readonly("rms", &ProfileFit::rms, "Of the way down, a fraction of surface_mm, within 40 mm.")
       .def_readonly("unseen_rms", &ProfileFit::unseen_rms, "The same of places left out of the fit.")
       .def(
-          "down", [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::downOf); },
+          "down", [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::downShare); },
           py::arg("r_mm"), "Share of surface_mm at distances from the axis at rest, mm; an array of their shape.")
       .def(
-          "outward", [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::outwardOf); },
+          "outward", [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::outwardShare); },
           py::arg("r_mm"), "The same of the motion away from the axis; 0 where it was not measured.")
       .def("__repr__", [](const ProfileFit& f) {
         return fmt::format("ProfileFit({}, {:.3g} mm deep, unseen {:.2f} %)", nameOf(f.form), f.depth_mm,

@@ -88,7 +88,7 @@ py::tuple reduced(const py::object& self) {
                                                 fmt::format("{:016x}", engine::hashOf(*handle.world))));
 }
 
-WorldPointer builtAgain(const std::string& toml, const py::object& mesh) {
+WorldPointer rebuildWorld(const std::string& toml, const py::object& mesh) {
   if (mesh.is_none()) return worldOfScene(scene::parse(toml, "World"));
   const WorldPointer made = worldOfMesh(unpacked(mesh));
   if (toml == textOf(*made)) return made;
@@ -102,7 +102,7 @@ WorldPointer worldOfPickle(const std::string& toml, const py::object& mesh, cons
     // One skin may have been given in several orders: the hash does not show which vertex became which.
     if (one.key == key && packed(one.world->maps).equal(mesh)) return one.world;
   }
-  WorldPointer world = builtAgain(toml, mesh);
+  WorldPointer world = rebuildWorld(toml, mesh);
   if (const std::string now = fmt::format("{:016x}", engine::hashOf(*world->world)); now != hash) {
     throw Error(fmt::format("World: {} is another here than where it was pickled (hash {} instead of {}): a file that "
                             "it was made of has changed, or the release has",
@@ -120,12 +120,12 @@ py::tuple makeReduceTuple(const py::object& type, const py::dict& named) {
 }
 
 py::object itself(const py::object& self) { return self; }
-py::object itselfDeep(const py::object& self, const py::dict& /*memo*/) { return self; }
+py::object deepCopySelf(const py::object& self, const py::dict& /*memo*/) { return self; }
 
 template <class Class>
 void bindCopies(Class& bound) {
   bound.def("__copy__", &itself, "Itself: it never changes.");
-  bound.def("__deepcopy__", &itselfDeep, "Itself: it never changes.", py::arg("memo"));
+  bound.def("__deepcopy__", &deepCopySelf, "Itself: it never changes.", py::arg("memo"));
 }
 
 }  // namespace

@@ -219,10 +219,10 @@ TEST(VisitBook, HoldsTwoHundredAndFiftySixThatShowedAToken) {
   VisitBook book;
   for (VisitId id = 1; id <= 256; ++id) {
     book.enter(id, "", static_cast<double>(id));
-    EXPECT_EQ(book.showedToken(id, static_cast<double>(id)), 0u) << id;
+    EXPECT_EQ(book.markTokenShown(id, static_cast<double>(id)), 0u) << id;
   }
   book.enter(257, "", 300.0);
-  EXPECT_EQ(book.showedToken(257, 300.0), 1u);
+  EXPECT_EQ(book.markTokenShown(257, 300.0), 1u);
 }
 
 // --- over the wire

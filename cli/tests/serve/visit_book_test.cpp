@@ -34,13 +34,13 @@ TEST(VisitBook, OnThisComputerThereIsNoShareForAProxyBringsEverybody) {
 TEST(VisitBook, NoStrangerCostsOneThatShowedATokenItsPlace) {
   VisitBook book(kFewVisits);
   EXPECT_EQ(book.enter(1, "", 0.0), 0u);
-  EXPECT_EQ(book.showedToken(1, 0.0), 0u);
+  EXPECT_EQ(book.markTokenShown(1, 0.0), 0u);
   for (VisitId id = 2; id <= 100; ++id) EXPECT_NE(book.enter(id, "", static_cast<double>(id)), 1u);
   EXPECT_EQ(book.size(), 5u);
-  EXPECT_EQ(book.showedToken(100, 200.0), 0u);
-  EXPECT_EQ(book.showedToken(99, 201.0), 1u) << "tokens have room of their own, for so many";
-  EXPECT_EQ(book.showedToken(99, 202.0), 0u) << "once each";
-  EXPECT_EQ(book.showedToken(1, 203.0), 0u) << "who is gone is gone";
+  EXPECT_EQ(book.markTokenShown(100, 200.0), 0u);
+  EXPECT_EQ(book.markTokenShown(99, 201.0), 1u) << "tokens have room of their own, for so many";
+  EXPECT_EQ(book.markTokenShown(99, 202.0), 0u) << "once each";
+  EXPECT_EQ(book.markTokenShown(1, 203.0), 0u) << "who is gone is gone";
 }
 
 TEST(VisitBook, WhoLeavesMakesRoom) {

@@ -21,7 +21,7 @@ void refuseToWrite(const std::filesystem::path& file, std::string_view) {
 }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): as Environment::start has it
-StartedWork doneByTheCaller(std::function<void()> work) {
+StartedWork runInCaller(std::function<void()> work) {
   std::exception_ptr thrown;
   try {
     work();
@@ -37,7 +37,7 @@ StartedWork doneByTheCaller(std::function<void()> work) {
 std::size_t oneProcessor() { return 1; }
 
 Environment& current() {
-  static Environment environment{refuseToRead, refuseToWrite, doneByTheCaller, oneProcessor};
+  static Environment environment{refuseToRead, refuseToWrite, runInCaller, oneProcessor};
   return environment;
 }
 

@@ -44,7 +44,7 @@ class Handover {
   /// move things from the one to the other; nothing of the old one may be touched afterwards. False when there is
   /// nothing, or when what was put down last time has not been collected. Never waits, allocates or frees.
   template <class Adopt>
-  bool take(std::unique_ptr<T>& current, const Adopt& adopt) noexcept {
+  bool receive(std::unique_ptr<T>& current, const Adopt& adopt) noexcept {
     if (offered_.load(std::memory_order_relaxed) == nullptr) return false;
     if (put_down_.load(std::memory_order_acquire) != nullptr) return false;
     T* const next = offered_.exchange(nullptr, std::memory_order_acq_rel);

@@ -35,21 +35,21 @@ class Random {
   // Vectors of draws, the last component drawn first. Not Vec3(normal(), normal(), normal()): in which order arguments
   // are made is the compiler's choice, and a seed would mean something else to each.
   Vec3 normal3() {
-    return fromTheLast<Vec3>([this] { return normal(); });
+    return drawLastFirst<Vec3>([this] { return normal(); });
   }
   Vec2 normal2() {
-    return fromTheLast<Vec2>([this] { return normal(); });
+    return drawLastFirst<Vec2>([this] { return normal(); });
   }
   Vec3 uniform3(double low = 0.0, double high = 1.0) {
-    return fromTheLast<Vec3>([&] { return uniform(low, high); });
+    return drawLastFirst<Vec3>([&] { return uniform(low, high); });
   }
   Vec2 uniform2(double low = 0.0, double high = 1.0) {
-    return fromTheLast<Vec2>([&] { return uniform(low, high); });
+    return drawLastFirst<Vec2>([&] { return uniform(low, high); });
   }
 
  private:
   template <class Vector, class Draw>
-  static Vector fromTheLast(const Draw& draw) {
+  static Vector drawLastFirst(const Draw& draw) {
     Vector vector;
     for (Eigen::Index i = vector.size(); i-- > 0;) vector[i] = draw();
     return vector;

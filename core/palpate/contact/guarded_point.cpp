@@ -31,7 +31,7 @@ void becomeSphere(const Surface& surface, FingerState& state) {
   const SurfacePoint& place = state.proxy;
   const Vec3 above = place.position + smallRadius(surface) * normalAt(surface, place);
   const auto other_sheet = firstFrontCrossingIf(surface.geometry->tree, place.position, above,
-                                                [&](Index t) { return !touchesFeature(surface, t, place); });
+                                                [&](Index t) { return !hasFeatureAt(surface, t, place); });
   state.centre = other_sheet.triangle == kNoIndex ? above : place.position;
   state.fits = false;  // to be seen
 }

@@ -323,8 +323,8 @@ bool inFrontOfBank(const Surface& surface, const SurfacePoint& rim, const Vec3& 
   return (tip - rim.position).dot(bankNormal(surface, rim)) > releaseSlack(surface);
 }
 
-std::optional<SurfacePoint> mouthPassed(const Surface& surface, const Vec3& from, const Vec3& tip,
-                                        const tree::Crossing& entry) noexcept {
+std::optional<SurfacePoint> findCrossedRim(const Surface& surface, const Vec3& from, const Vec3& tip,
+                                           const tree::Crossing& entry) noexcept {
   const SurfaceGeometry& geometry = *surface.geometry;
   const bool enters = entry.triangle != kNoIndex;
   if (!(enters ? isInCrack(geometry, entry.triangle, entry.point) : liesInCrack(surface, tip))) return {};

@@ -51,7 +51,7 @@ std::optional<SurfacePoint> otherBank(const Surface& surface, const SurfacePoint
 bool inFrontOfBank(const Surface& surface, const SurfacePoint& rim, const Vec3& tip) noexcept;
 
 /// The rim that holds a tip which came into a crack in this tick, if it did. `entry`: where it passed the skin, if so.
-std::optional<SurfacePoint> mouthPassed(const Surface& surface, const Vec3& from, const Vec3& tip,
-                                        const tree::Crossing& entry) noexcept;
+std::optional<SurfacePoint> findCrossedRim(const Surface& surface, const Vec3& from, const Vec3& tip,
+                                           const tree::Crossing& entry) noexcept;
 
 }  // namespace palpate::contact

@@ -109,7 +109,7 @@ void shade(const Surface& surface, const FingerSettings& settings, const Surface
 bool landsFromAir(const Surface& surface, const Vec3& tip, FingerState& state) {
   const tree::Crossing entry = tree::firstFrontCrossing(surface.geometry->tree, state.tip, tip);
   const bool cracked = !surface.geometry->cracked.empty();
-  const std::optional<SurfacePoint> rim = cracked ? mouthPassed(surface, state.tip, tip, entry) : std::nullopt;
+  const std::optional<SurfacePoint> rim = cracked ? findCrossedRim(surface, state.tip, tip, entry) : std::nullopt;
   if (!rim && entry.triangle == kNoIndex) return false;
   land(rim ? tree::Crossing{rim->position, 0.0, rim->triangle} : entry, state);
   if (rim) state.proxy.feature = state.anchor.feature = rim->feature;
@@ -117,10 +117,10 @@ bool landsFromAir(const Surface& surface, const Vec3& tip, FingerState& state) {
 }
 
 /// Leaves the proxy's place: lands on the next sheet between it and the tip, or is free. True when it landed.
-bool landsElsewhere(const Surface& surface, const Vec3& tip, FingerState& state) {
+bool landOnNextSheet(const Surface& surface, const Vec3& tip, FingerState& state) {
   const SurfacePoint left = state.proxy;
   const auto next = firstFrontCrossingIf(surface.geometry->tree, left.position, tip,
-                                         [&](Index triangle) { return !touchesFeature(surface, triangle, left); });
+                                         [&](Index triangle) { return !hasFeatureAt(surface, triangle, left); });
   state.touching = next.triangle != kNoIndex;
   if (state.touching) land(next, state);
   return state.touching;
@@ -192,7 +192,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
       shade(surface, settings, state.proxy, tip, press);
       if (!(press.status & kAtBorder) || press.felt_depth_mm > 0.0) return press;
     }
-    if (landsElsewhere(surface, tip, state)) continue;
+    if (landOnNextSheet(surface, tip, state)) continue;
     if (!isInside(surface, state, held, tip, lag + path)) return {};
     holdInside(surface, tip, path, state);
     return pressAt(surface, settings, state.proxy, tip);

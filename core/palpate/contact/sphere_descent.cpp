@@ -199,7 +199,7 @@ bool pushOut(const SphereTask& task, Vec3& centre) noexcept {
     if (!isFreeWay(task, centre, next)) return false;
     centre = next;
   }
-  return !anyFootLower(task.surface, centre, task.radius * (1.0 - kFit), task.nearby);
+  return !hasLowerFoot(task.surface, centre, task.radius * (1.0 - kFit), task.nearby);
 }
 
 bool descend(const SphereTask& task, Vec3& centre, SurfacePoint& foot, StandingPlaces& standing) noexcept {

@@ -187,9 +187,9 @@ bool followFoot(const Surface& surface, const Vec3& centre, Foot& foot) noexcept
   return standsOn(surface, walk.at, centre, foot) && walk.finished;
 }
 
-bool anyFootLower(const Surface& surface, const Vec3& centre, double height, const NearbySkin* nearby) noexcept {
+bool hasLowerFoot(const Surface& surface, const Vec3& centre, double height, const NearbySkin* nearby) noexcept {
   SkinList list;
-  if (listNearer(nearby, centre, height, list)) return anyFootLowerAmong(surface, list, centre, height);
+  if (listNearer(nearby, centre, height, list)) return hasLowerFootAmong(surface, list, centre, height);
   bool any = false;
   const double limit = height * height;
   visitNearTriangles(surface.geometry->tree, centre, limit, [&](Index triangle, const ClosestOnTriangle& closest) {
@@ -199,7 +199,7 @@ bool anyFootLower(const Surface& surface, const Vec3& centre, double height, con
   return any;
 }
 
-bool anyFootLowerAmong(const Surface& surface, const SkinList& list, const Vec3& centre, double height) noexcept {
+bool hasLowerFootAmong(const Surface& surface, const SkinList& list, const Vec3& centre, double height) noexcept {
   for (int i = 0; i < list.count; ++i) {
     const Index triangle = list.records[i];
     const ClosestOnTriangle closest = tree::closestOnTriangle(surface.geometry->tree.records[triangle].corners, centre);

@@ -55,11 +55,11 @@ void findFeet(const Surface& surface, const Vec3& centre, double reach, Feet& fe
 bool followFoot(const Surface& surface, const Vec3& centre, Foot& foot) noexcept;
 
 /// Whether the sphere sinks into the skin: any foot lower than `height`. Stops at the first.
-bool anyFootLower(const Surface& surface, const Vec3& centre, double height,
+bool hasLowerFoot(const Surface& surface, const Vec3& centre, double height,
                   const NearbySkin* nearby = nullptr) noexcept;
 
 /// The same, asked of the listed triangles alone.
-bool anyFootLowerAmong(const Surface& surface, const SkinList& list, const Vec3& centre, double height) noexcept;
+bool hasLowerFootAmong(const Surface& surface, const SkinList& list, const Vec3& centre, double height) noexcept;
 
 /// The nearest place of the skin with the centre in front, nearer than `reach`; triangle kNoIndex when there is none.
 SurfacePoint nearestFront(const Surface& surface, const Vec3& centre, double reach) noexcept;

@@ -38,7 +38,7 @@ bool isHidden(const Surface& surface, const SurfacePoint& foot, const Vec3& cent
   constexpr double kOffTheFoot = 1e-6;
   const Vec3 begin = foot.position + kOffTheFoot * (centre - foot.position);
   return firstFrontCrossingIf(surface.geometry->tree, begin, centre, [&](Index t) {
-           return !touchesFeature(surface, t, foot);
+           return !hasFeatureAt(surface, t, foot);
          }).triangle != kNoIndex;
 }
 
@@ -114,8 +114,7 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
 
 /// The same for a tip that a border has just let go: whether its sphere overlaps other skin there. Past the opening it
 /// may be free.
-bool landWhereItIs(const Surface& surface, double radius, FingerState& state, const Vec3& tip,
-                   const NearbySkin* nearby) {
+bool landInPlace(const Surface& surface, double radius, FingerState& state, const Vec3& tip, const NearbySkin* nearby) {
   const bool lands = !isPastAnOpening(surface, tip) && !reachesIntoEdge(surface, tip, radius) &&
                      overlapsFront(surface, tip, radius, nearby);
   if (lands) beginContact(tip, nearestFront(surface, tip, radius), state);
@@ -151,10 +150,10 @@ bool fitsByFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) {
   const double height = task.radius * (1.0 - kTight);
   SkinList list;
   if ((to - from).squaredNorm() < height * height && listNearer(task.nearby, to, height, list)) {
-    return !anyFootLowerAmong(task.surface, list, to, height) &&
+    return !hasLowerFootAmong(task.surface, list, to, height) &&
            (list.count == 0 || firstCrossingAmong(task.surface, list, from, to).triangle == kNoIndex);
   }
-  return !anyFootLower(task.surface, to, height, task.nearby) && isFreeWay(task, from, to);
+  return !hasLowerFoot(task.surface, to, height, task.nearby) && isFreeWay(task, from, to);
 }
 
 /// Whether a sphere beyond a border has skin under it again, away from any border: the other bank of a hole. That bank
@@ -238,7 +237,7 @@ Press pressWith(const FingerSettings& settings, const SphereTask& task, const Mo
 /// Whether the way to the tip begins behind the middle of a face that the proxy lies on: the tip is inside then, or has
 /// skin between. What nearly every tick finds, without a search of the tree. Not told at an edge or a corner, where a
 /// way may be behind one face and out of the next, nor of sheets that pierce or touch each other.
-bool leadsBehindAFace(const SphereTask& task, const SurfacePoint& under_proxy, const Vec3& proxy) {
+bool startsBehindFace(const SphereTask& task, const SurfacePoint& under_proxy, const Vec3& proxy) {
   const SurfaceGeometry& geometry = *task.surface.geometry;
   if (geometry.closed || geometry.self_intersecting || geometry.touches_itself) return false;
   if (under_proxy.feature != tree::Feature::face) return false;
@@ -260,7 +259,7 @@ bool isHeldInAir(const SphereTask& task, const Move& move, const Vec3& proxy,
   if ((task.tip - move.foot.position).norm() < task.radius) return false;
   const bool ordinary = surface.geometry->entangled.empty() || surface.geometry->entangled[move.foot.triangle] == 0;
   if (move.on_one_place && ordinary && !onBorder(surface, move.foot)) return false;
-  return !leadsBehindAFace(task, under_proxy, proxy) && is_in_air(proxy);
+  return !startsBehindFace(task, under_proxy, proxy) && is_in_air(proxy);
 }
 
 /// A tip that is inside although nothing holds its sphere: between sheets that pierce each other a way may be missed.
@@ -331,7 +330,7 @@ Press pressSphere(const Surface& surface, const FingerSettings& settings, double
   if (leaves_border && came_through() && landSphere(surface, radius, state, tip, nearby)) {
     ending = pressOnce(surface, settings, radius, tip, state, press, nearby);
   }
-  if (ending == Ending::at_border && landWhereItIs(surface, radius, state, tip, nearby)) {
+  if (ending == Ending::at_border && landInPlace(surface, radius, state, tip, nearby)) {
     ending = pressOnce(surface, settings, radius, tip, state, press, nearby);
   }
   state.touching = ending == Ending::none;

@@ -138,7 +138,7 @@ bool onBorder(const Surface& surface, const SurfacePoint& point) noexcept {
   return surface.geometry->vertex_on_border[record.vertices[tree::indexOf(point.feature)]] != 0;
 }
 
-bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept {
+bool hasFeatureAt(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept {
   if (triangle == point.triangle) return true;
   const TriangleRecord& record = surface.geometry->tree.records[point.triangle];
   const auto has = [&](int corner) {

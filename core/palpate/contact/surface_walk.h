@@ -48,7 +48,7 @@ Vec3 normalAt(const Surface& surface, const SurfacePoint& point) noexcept;
 bool onBorder(const Surface& surface, const SurfacePoint& point) noexcept;
 
 /// Whether the triangle has the corner, the edge or the face on which the point lies.
-bool touchesFeature(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept;
+bool hasFeatureAt(const Surface& surface, Index triangle, const SurfacePoint& point) noexcept;
 
 /// The skin's properties at a place.
 struct SkinHere {

@@ -22,7 +22,7 @@ namespace palpate::deform {
 namespace {
 
 /// Status bits of a contact that cannot be framed on a skin of `triangles` triangles; 0 for one that can.
-std::uint32_t whyIgnored(const Contact& contact, std::size_t triangles) noexcept {
+std::uint32_t ignoredStatus(const Contact& contact, std::size_t triangles) noexcept {
   if (!isUsable(contact)) return kIgnoredNotFinite;
   return contact.anchor_triangle < triangles ? 0u : std::uint32_t{kIgnoredNoTriangle};
 }
@@ -131,7 +131,7 @@ void Deformer::Pipeline<Displacement>::frameContacts(std::span<const Contact> co
                                                      Report& report) const noexcept {
   plan.frames.clear();
   for (const Contact& contact : contacts) {
-    if (const std::uint32_t reason = whyIgnored(contact, skin_.triangles.size()); reason != 0) {
+    if (const std::uint32_t reason = ignoredStatus(contact, skin_.triangles.size()); reason != 0) {
       report.status |= reason;
     } else if (plan.frames.size() == forms_.common.max_contacts) {
       report.status |= kIgnoredOverCapacity;

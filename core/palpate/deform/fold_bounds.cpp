@@ -72,13 +72,13 @@ void forEachTriangleAt(const Skin& skin, Index block, const Visit& visit) {
 
 void raise(float& most, double value) { most = std::max(most, static_cast<float>(value)); }
 
-/// Shapes of the triangles at the vertices of one block, each once. Those of a whole body would take 48 bytes a
+/// Shapes of the triangles at the vertices of one block, each once. Those of a whole body would need 48 bytes a
 /// triangle.
 class ShapesOfBlock {
  public:
   explicit ShapesOfBlock(const Skin& skin) : skin_(skin), slot_(skin.triangles.size(), 0) {}
 
-  void take(Index block) {
+  void loadBlock(Index block) {
     triangles_.clear();
     shapes_.clear();
     forEachTriangleAt(skin_, block, [&](Index t, Index) {
@@ -140,7 +140,7 @@ void setFoldBounds(Skin& skin) {
   skin.fold_gradient_mm.assign(std::size_t{skin.blocks} * kBlockVertices, 0.0f);
   skin.fold_crease.assign(std::size_t{skin.blocks} * kBlockVertices, 0.0f);
   for (Index block = 0; block < skin.blocks; ++block) {
-    shapes.take(block);
+    shapes.loadBlock(block);
     skin.fold_bounds.push_back(computeFoldBound(skin, shapes, block));
     forEachTriangleAt(skin, block, [&](Index t, Index v) {
       if (shapes[t].spread == 0.0) return;

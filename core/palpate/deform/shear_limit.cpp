@@ -167,7 +167,7 @@ void ShearLimit::limitToPart(const DeformedBlock& surface) noexcept {
   });
 }
 
-bool ShearLimit::pressTowardsEachOther() const noexcept {
+bool ShearLimit::hasOpposingPulls() const noexcept {
   for (const Pull& a : pulls_) {
     for (const Pull& b : pulls_) {
       if (a.normal.dot(b.normal) < 0.0) return true;
@@ -191,7 +191,7 @@ bool ShearLimit::joinAt(Index vertex, const DeformedBlock& surface) noexcept {
 }
 
 void ShearLimit::joinSeams(const DeformedBlock& surface) noexcept {
-  if (pulls_.size() < 2 || !pressTowardsEachOther()) return;
+  if (pulls_.size() < 2 || !hasOpposingPulls()) return;
   for (int turn = 0; turn < kSeamTurns; ++turn) {
     bool any = false;
     forEachMoved([&](Index v) { any = joinAt(v, surface) || any; });

@@ -243,7 +243,7 @@ class ShearLimit {
   void measureAlongSurface(const Pull& pull) noexcept;
   template <class Curves>
   void roomAlongSurface(const Curves& curves) noexcept;
-  bool pressTowardsEachOther() const noexcept;
+  bool hasOpposingPulls() const noexcept;
   bool joinAt(Index vertex, const DeformedBlock& surface) noexcept;
   void holdWithin(Index vertex, float room_mm, const DeformedBlock& surface) noexcept;
   void hold(Index vertex, float share, const DeformedBlock& surface) noexcept;

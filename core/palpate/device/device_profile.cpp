@@ -41,7 +41,7 @@ void lower(double& value, double other) {
 
 /// A motion is scaled and a force is not: a spring of the body is `scale` times as stiff in the hand, and the device's
 /// mass and damping are smaller in the body accordingly.
-DeviceProfile asTheBodySees(DeviceProfile profile, double scale) {
+DeviceProfile scaleToBody(DeviceProfile profile, double scale) {
   profile.stiffness_n_per_mm /= scale;
   profile.mass_kg /= scale;
   profile.damping_n_s_per_mm /= scale;
@@ -90,7 +90,7 @@ DeviceProfile profileOf(scene::DeviceModel named, const Capabilities& reported) 
   if (!recognised) lower(profile.stiffness_n_per_mm, profileOf(named).stiffness_n_per_mm);
   profile.open = reported.takes_force;
   profile.delay_ticks = reported.takes_force ? reported.delay_ticks : 0.0;
-  return asTheBodySees(profile, reported.motion_scale);
+  return scaleToBody(profile, reported.motion_scale);
 }
 
 DeviceProfile profileOf(scene::DeviceModel named, std::span<const Capabilities> open) {

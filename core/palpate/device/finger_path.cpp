@@ -195,7 +195,7 @@ Trajectory onTicks(const scene::Finger& finger, const Trajectory& trajectory, do
 std::vector<Vec3> computeTips(const scene::World& world, const scene::Finger& finger, const Trajectory& trajectory,
                               double start_s) {
   const double ticks_per_s = world.scene.ticks_per_s;
-  if (finger.findsItsOwnWay()) return automaticPath(world, finger.radius_mm).tip_mm;
+  if (finger.hasAutomaticPath()) return automaticPath(world, finger.radius_mm).tip_mm;
   if (trajectory.size() == 0) return walkScript(finger, {}, heightOver(world, {}), 1.0 / ticks_per_s);
   const Trajectory on_ticks = onTicks(finger, trajectory, ticks_per_s);
   const double delay_s = trajectory.time_s.front() - start_s;

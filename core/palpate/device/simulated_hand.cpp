@@ -53,7 +53,7 @@ SimulatedHand::SimulatedHand(const SimulatedHandSettings& settings) : settings_(
   device_.place = hand_.place = goal.place = settings.start;
 }
 
-void SimulatedHand::throwIt(const Vec3& velocity) { device_.velocity = hand_.velocity = velocity; }
+void SimulatedHand::setVelocity(const Vec3& velocity) { device_.velocity = hand_.velocity = velocity; }
 
 Vec3 SimulatedHand::readTip() noexcept {
   return settings_.quantised ? rounded(device_.place, settings_.device.encoder_mm) : device_.place;

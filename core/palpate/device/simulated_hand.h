@@ -81,7 +81,7 @@ class SimulatedHand {
   explicit SimulatedHand(const SimulatedHandSettings& settings);
 
   /// Starts device and hand at this velocity, mm/s.
-  void throwIt(const Vec3& velocity);
+  void setVelocity(const Vec3& velocity);
 
   HandGoal goal;  ///< read by the next tick
 

@@ -63,12 +63,12 @@ std::vector<Finger> fingersOn(const scene::World& world, std::span<const contact
   std::vector<Finger> alone;
   alone.reserve(fingers.size());
   for (const contact::FingerSettings& settings : fingers) {
-    alone.push_back(std::move(rigOn(world, {&settings, 1}).front()));
+    alone.push_back(std::move(makeRig(world, {&settings, 1}).front()));
   }
   return alone;
 }
 
-std::vector<Finger> rigOn(const scene::World& world, std::span<const contact::FingerSettings> fingers) {
+std::vector<Finger> makeRig(const scene::World& world, std::span<const contact::FingerSettings> fingers) {
   servo::FingerSolvers solvers = servo::makeSolvers(world.surface, world.hdb, fingers.size(), world.breath);
   std::vector<Finger> rig;
   rig.reserve(fingers.size());

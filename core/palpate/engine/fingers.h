@@ -45,7 +45,7 @@ struct Finger {
 std::vector<Finger> fingersOn(const scene::World& world, std::span<const contact::FingerSettings> fingers);
 
 /// A rig's: they feel each other through lumps that move, and belong to one thread. Settings are not checked.
-std::vector<Finger> rigOn(const scene::World& world, std::span<const contact::FingerSettings> fingers);
+std::vector<Finger> makeRig(const scene::World& world, std::span<const contact::FingerSettings> fingers);
 
 /// True if both have the same triangles at the same places, so that a finger may go on touching. Compares them all.
 bool sameBody(const scene::World& one, const scene::World& other);

@@ -12,7 +12,7 @@ namespace palpate::engine {
 namespace {
 
 /// The answer for a finger that there is not.
-contact::FingerOutput nobodysOutput(const Vec3& tip) noexcept {
+contact::FingerOutput missingFingerOutput(const Vec3& tip) noexcept {
   contact::FingerOutput output = contact::freeOutput(tip);
   output.status = contact::kTipLost;
   return output;
@@ -24,12 +24,12 @@ Simulator::Simulator(std::shared_ptr<const scene::World> world, std::vector<cont
     : world_(std::move(world)) {
   if (fingers.empty()) fingers = fingerSettings(world_->scene);
   checkFingers(*world_, fingers);
-  fingers_ = rigOn(*world_, fingers);
+  fingers_ = makeRig(*world_, fingers);
   felt_.resize(fingers.size());
 }
 
 contact::FingerOutput Simulator::feel(std::size_t finger, const Vec3& tip) noexcept {
-  if (finger >= fingers_.size()) return nobodysOutput(tip);
+  if (finger >= fingers_.size()) return missingFingerOutput(tip);
   return felt_[finger] = fingers_[finger].feel(tip);
 }
 

@@ -127,7 +127,7 @@ struct Mover {
   enum class Round : std::uint8_t { moved, stuck, there };
 
   Round slide(int& planes_met);
-  bool roundTheCorner();
+  bool moveAroundCorner();
 };
 
 /// One straight move, towards the target or along what is in its way.
@@ -155,7 +155,7 @@ Mover::Round Mover::slide(int& planes_met) {
 }
 
 /// Tries the planes of the triangles at `place`, alone and in pairs, for a way that leads nearer to the target.
-bool Mover::roundTheCorner() {
+bool Mover::moveAroundCorner() {
   std::array<contact::HalfSpace, kMaxTouched> touched;
   int count = 0;
   const double reach = kTouching * standoff_mm;
@@ -202,7 +202,7 @@ Arrival moveTowards(const contact::Surface& surface, std::span<const Index> tria
     int planes_met = 0;
     const Mover::Round result = mover.slide(planes_met);
     if (result == Mover::Round::there) arrival = Arrival::reached;
-    if (result == Mover::Round::stuck && (planes_met < 2 || !mover.roundTheCorner())) arrival = Arrival::resting;
+    if (result == Mover::Round::stuck && (planes_met < 2 || !mover.moveAroundCorner())) arrival = Arrival::resting;
   }
   place = mover.place;
   return arrival;

@@ -26,7 +26,7 @@ std::vector<KeyPoint> withStiffness(std::span<const KeyPoint> keys) {
   return measured;
 }
 
-std::pair<double, double> believable(const std::vector<KeyPoint>& keys) {
+std::pair<double, double> plausibleStiffness(const std::vector<KeyPoint>& keys) {
   const auto softer = [](const KeyPoint& a, const KeyPoint& b) {
     return *a.stiffness_n_per_mm < *b.stiffness_n_per_mm;
   };
@@ -76,7 +76,7 @@ MeasuredStiffnessField::MeasuredStiffnessField(std::span<const KeyPoint> keys, c
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const std::vector<KeyPoint> measured = withStiffness(keys);
   const bool stays_between = settings.interpolation == StiffnessInterpolation::gri;
-  limits_ = stays_between ? std::pair{-kInfinity, kInfinity} : believable(measured);
+  limits_ = stays_between ? std::pair{-kInfinity, kInfinity} : plausibleStiffness(measured);
   error_ = errorAt(measured, *this);
 }
 

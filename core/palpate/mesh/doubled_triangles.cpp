@@ -51,7 +51,7 @@ struct TwinCount {
 
 TwinCount countTwins(const TriangleMesh& mesh, const TwinGroup& group) {
   TwinCount count;
-  for (const Index t : group) count.wound[runsUp(mesh.triangles[t]) ? 1 : 0].push_back(t);
+  for (const Index t : group) count.wound[isAscending(mesh.triangles[t]) ? 1 : 0].push_back(t);
   return count;
 }
 

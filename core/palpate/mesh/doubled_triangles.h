@@ -20,7 +20,7 @@ using TwinGroup = std::vector<Index>;
 std::vector<TwinGroup> twinGroups(const TriangleMesh& mesh);
 
 /// Whether a triangle runs through its three vertices in ascending order (cyclically).
-inline bool runsUp(const Triangle& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2; }
+inline bool isAscending(const Triangle& t) { return (t[0] < t[1]) + (t[1] < t[2]) + (t[2] < t[0]) == 2; }
 
 struct DoubledRemoved {
   std::size_t duplicates = 0;      ///< triangles that had an earlier twin with the same winding

@@ -317,7 +317,7 @@ class SelfSearch {
     for (std::size_t i = 1; i < workers(); ++i) helpers.emplace_back([this] { work({}); });
     work(progress_);
     for (Background& helper : helpers) helper.join();
-    finishWithWhatIsLeft();
+    retryWithSpareBudget();
     return finished();
   }
 
@@ -345,7 +345,7 @@ class SelfSearch {
 
   /// Spends the budget that most tasks did not need on those that ran out: a cap whose boxes all overlap is in one of
   /// them.
-  void finishWithWhatIsLeft() {
+  void retryWithSpareBudget() {
     std::sort(given_up_.begin(), given_up_.end());
     for (const std::size_t task : given_up_) {
       Task again = tasks_[task];

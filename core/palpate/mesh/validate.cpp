@@ -85,7 +85,7 @@ void checkTwins(const Sound& sound, ValidationReport& found) {
   for (const TwinGroup& group : twinGroups(sound.mesh)) {
     std::array<bool, 2> seen{};
     for (Index t : group) {
-      bool& same_winding_seen = seen[runsUp(sound.mesh.triangles[t]) ? 1 : 0];
+      bool& same_winding_seen = seen[isAscending(sound.mesh.triangles[t]) ? 1 : 0];
       if (t != group.front()) later_twins.emplace_back(t, same_winding_seen);
       same_winding_seen = true;
     }

@@ -30,7 +30,7 @@ constexpr double kFarBoneMm = 1e3;
 constexpr double kMaxOfTissue = 0.9;
 
 /// Where the skin goes down by 2 mm of a press of 8, as a share of the region.
-double findQuarter(const tissue::PressCurves& press) {
+double findQuarterFallOff(const tissue::PressCurves& press) {
   double q = 0.0;
   while (q < 1.0 && tissue::curveAt(press.down, tissue::kPressBend, q * q).value > 0.25) q += 1.0 / 512.0;
   return q;
@@ -119,7 +119,7 @@ struct AnatomicalReach::Growing {
     share += more;
   }
   /// As if the skin went on flat from here.
-  void goOn(double from_mm, double whole_mm) noexcept { add(from_mm, whole_mm, 1.0); }
+  void extendFlat(double from_mm, double whole_mm) noexcept { add(from_mm, whole_mm, 1.0); }
 };
 
 /// How deep the centre of a press may go, so that no skin around it comes too near to the bone under it.
@@ -158,9 +158,9 @@ struct AnatomicalReach::Way {
   bool done() const { return press.done() && drag.done(); }
   /// How far a drag reaches where the tissue is this thick.
   double dragReach(const Rates& rates) const { return drag_mm * rates.drag_mm / here.drag_mm; }
-  void goOn(double from_mm, const Rates& rates) noexcept {
-    press.goOn(from_mm, rates.press_mm);
-    drag.goOn(from_mm, dragReach(rates));
+  void extendFlat(double from_mm, const Rates& rates) noexcept {
+    press.extendFlat(from_mm, rates.press_mm);
+    drag.extendFlat(from_mm, dragReach(rates));
   }
 };
 
@@ -176,7 +176,7 @@ AnatomicalReach::AnatomicalReach(const mesh::TriangleMesh& skin, const tree::Tri
   for (std::size_t row = 0; row <= kRows; ++row) {
     const double thickness = elementary::exp(log_thinnest_ + log_step_ * static_cast<double>(row));
     const tissue::PressCurves press = layered.pressAt(thickness, tissue::kReferenceDepthMm);
-    press_mm_[row] = press.radius_mm * findQuarter(press);
+    press_mm_[row] = press.radius_mm * findQuarterFallOff(press);
     const tissue::DragCurve drag = layered.dragAt(thickness);
     drag_mm_[row] = drag.tenth_q * std::sqrt(drag.along_mm * drag.across_mm);
   }
@@ -218,13 +218,14 @@ void AnatomicalReach::walk(const tree::TriangleTree& tree, Index record, const V
   double up = 0.0;
   Rates rates = way.here;
   for (int i = 0; i < kMaxCrossings && !way.done(); ++i) {
-    if (!walk.next(at)) return way.goOn(ahead, rates);
+    if (!walk.next(at)) return way.extendFlat(ahead, rates);
     if (cover.step_mm > 0.0) cover.limitDepth((at.point - point).norm(), valueAt(nearest_mm_, at));
     const double step = way.ahead.dot(at.point - point) - ahead;
     const double rise = normal.dot(at.point - point) - up;
     const double chord = elementary::hypot(step, rise);
     if (chord < kChordMm) continue;
-    if (!(step > 0.0)) return way.press.goOn(ahead, rates.press_mm);  // turns back: a drag ends, whatever is beyond
+    if (!(step > 0.0))
+      return way.press.extendFlat(ahead, rates.press_mm);  // turns back: a drag ends, whatever is beyond
     if (!log_beneath_.empty()) rates = ratesAt(valueAt(log_beneath_, at));
     way.press.add(ahead, step, step / rates.press_mm);
     way.drag.add(ahead, step, step / way.dragReach(rates) + folds.next(elementary::atan2(rise, step)));

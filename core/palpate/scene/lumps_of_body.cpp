@@ -244,7 +244,7 @@ PlacedLump placed(const LumpSettings& settings, const LumpBed& bed, const LumpGr
                     .note = {},
                     .unscaled = std::move(table),
                     .made_of = std::move(numbers)};
-  result.young_kpa = tissue::youngOf(shape, stack);
+  result.young_kpa = tissue::youngModulus(shape, stack);
   result.layer_kpa = layerKpaAt(stack, shape.centreMm());
   return result;
 }

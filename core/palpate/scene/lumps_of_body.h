@@ -89,6 +89,6 @@ std::shared_ptr<const contact::PressureGround> pressureGround(const World& world
 /// line, for a lump that has no skin over it.
 void raiseSkin(const Scene& scene, BodyParts& body);
 /// Whether two scenes raise the skin of one body alike.
-bool raiseAlike(const Scene& one, const Scene& other);
+bool haveEqualSwellings(const Scene& one, const Scene& other);
 
 }  // namespace palpate::scene

@@ -129,7 +129,7 @@ void raiseSkin(const Scene& scene, BodyParts& body) {
   }
 }
 
-bool raiseAlike(const Scene& one, const Scene& other) {
+bool haveEqualSwellings(const Scene& one, const Scene& other) {
   const std::vector<const LumpSettings*> here = findSwellings(one);
   const std::vector<const LumpSettings*> there = findSwellings(other);
   return std::equal(here.begin(), here.end(), there.begin(), there.end(),

@@ -157,7 +157,7 @@ struct Finger {
   double pad_mm = 16.0;  ///< side of the pad
 
   /// Neither path nor script: it gets a path that suits the body.
-  bool findsItsOwnWay() const { return trajectory.empty() && steps.empty(); }
+  bool hasAutomaticPath() const { return trajectory.empty() && steps.empty(); }
 };
 
 /// Which finger of the scene a device holds: the first or the second.

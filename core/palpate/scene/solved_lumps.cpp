@@ -34,7 +34,7 @@ std::uint64_t lumpName(const tissue::LumpShape& lump, const tissue::LayerStack& 
   for (const double half : lump.half_axes_mm) hash.add(half);
   hash.add(lump.depth_mm);
   hash.add(lump.edge);
-  hash.add(tissue::youngOf(lump, stack));
+  hash.add(tissue::youngModulus(lump, stack));
   return hash.value();
 }
 

@@ -21,7 +21,7 @@ namespace {
 
 /// The rim of a drag lies no farther than this, mm: beyond begin a trunk's flanks and arms. Where people were measured
 /// with a longer reach than it allows for, a tenth of the drag is left nearer than where they had it; of a person whose
-/// own points are given it is left where it was measured (leaveATenthAt).
+/// own points are given it is left where it was measured (widenToTenth).
 constexpr double kFarthestRimMm = 160.0;
 /// Drags shorter than this have no direction yet, mm.
 constexpr double kShortestDragMm = 1e-6;
@@ -138,7 +138,7 @@ const tissue::LayeredCurve& farReachingDrag() {
 
 /// Where the farthest rim is too near for a measured ellipse, the drag falls off more slowly on the way: so far that a
 /// tenth is left at `tenth_q`, where it was measured.
-void leaveATenthAt(double tenth_q, tissue::LayeredCurve& share) noexcept {
+void widenToTenth(double tenth_q, tissue::LayeredCurve& share) noexcept {
   const tissue::LayeredCurve& far = farReachingDrag();
   const double q2 = tenth_q * tenth_q;
   const double near = tissue::curveAt(share, tissue::kDragBend, q2).value;
@@ -246,7 +246,7 @@ deform::Contact layeredContact(const World& world, deform::Contact contact) noex
     contact.tangential_region.half_major *= kFarthestRimMm / rim;
     if (isOwn(world.scene)) {
       tenth_q *= rim / kFarthestRimMm;
-      leaveATenthAt(tenth_q, contact.layered->drag);
+      widenToTenth(tenth_q, contact.layered->drag);
     }
   }
   if (world.reach) followAnatomy(world, tenth_q, contact);

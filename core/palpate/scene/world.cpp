@@ -321,14 +321,14 @@ std::shared_ptr<const World> buildOn(const Scene& scene, BodyParts body, const P
 }
 
 std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, const Progress& progress) {
-  if (raiseAlike(world.scene, scene)) return rebuiltOnItsSkin(world, scene, progress);
+  if (haveEqualSwellings(world.scene, scene)) return rebuiltOnItsSkin(world, scene, progress);
   Scene raised = scene;
   raised.body = world.scene.body;
   return build(raised, progress);
 }
 
 std::shared_ptr<const World> rebuiltOnItsSkin(const World& world, const Scene& scene, const Progress& progress) {
-  if (!raiseAlike(world.scene, scene)) throw Error("another swelling needs another body");
+  if (!haveEqualSwellings(world.scene, scene)) throw Error("another swelling needs another body");
   return assembleWorld(scene, world.body, formsOf(scene), &world, progress);
 }
 

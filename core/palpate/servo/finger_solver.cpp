@@ -43,8 +43,8 @@ contact::FingerOutput touchAtRest(FingerSolver& solver, const contact::FingerSet
   return felt;
 }
 
-contact::FingerOutput touchWhereItIs(FingerSolver& solver, const contact::FingerSettings& settings,
-                                     contact::FingerState& state, const Vec3& tip, std::uint64_t tick) noexcept {
+contact::FingerOutput touchMovingSkin(FingerSolver& solver, const contact::FingerSettings& settings,
+                                      contact::FingerState& state, const Vec3& tip, std::uint64_t tick) noexcept {
   if (!solver.breath) return touchAtRest(solver, settings, state, tip);
   const body::BreathField& breath = *solver.breath;
   const double lift_mm = breath.lift(static_cast<double>(tick) * settings.tick_s);
@@ -78,7 +78,7 @@ void handOver(const contact::FingerSettings& settings, const Vec3& tip, Handover
 
 contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings& settings, contact::FingerState& state,
                             const Vec3& tip, std::uint64_t tick) noexcept {
-  contact::FingerOutput felt = touchWhereItIs(solver, settings, state, tip, tick);
+  contact::FingerOutput felt = touchMovingSkin(solver, settings, state, tip, tick);
   if ((felt.status & contact::kTipLost) != 0 || !solver.handover.follows) return felt;
   Handover& handover = solver.handover;
   if (felt.depth_mm > 0.0) handover.secant_n_per_mm = felt.force.norm() / felt.depth_mm;

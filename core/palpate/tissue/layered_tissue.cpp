@@ -70,7 +70,7 @@ PressCurves pressCurves(const LayeredTable& table, const PressedShape& shape, do
 }
 
 /// Where the curve crosses a tenth.
-double findTenth(const LayeredCurve& share) {
+double findTenthFallOff(const LayeredCurve& share) {
   double low = 0.0;
   double high = 1.0;
   for (int i = 0; i < 40; ++i) {
@@ -99,7 +99,7 @@ DragCurve dragCurve(const LayeredTable& table) {
     samples.insert(samples.end(), across.begin(), across.end());
   }
   curve.share = fittedShare(samples, kDragBend);
-  curve.tenth_q = findTenth(curve.share);
+  curve.tenth_q = findTenthFallOff(curve.share);
   return curve;
 }
 

@@ -32,7 +32,7 @@ struct LumpShape {
 };
 
 /// kPa in the middle of the lump.
-double youngOf(const LumpShape& lump, const LayerStack& stack);
+double youngModulus(const LumpShape& lump, const LayerStack& stack);
 
 /// Throws Error for a lump that cannot be in this stack: sizes out of range, a top less than 0.5 mm under the skin's
 /// layer, a bottom less than 1 mm over the bone, a modulus below 0.2 times the layer's, a stack without skin over

@@ -122,7 +122,7 @@ double LumpShape::radiusMm() const {
   return elementary::pow(half_axes_mm[0] * half_axes_mm[1] * half_axes_mm[2], 1.0 / 3.0);
 }
 
-double youngOf(const LumpShape& lump, const LayerStack& stack) {
+double youngModulus(const LumpShape& lump, const LayerStack& stack) {
   return lump.young_kpa.value_or(lump.stiffness_ratio * stack.layers[layerAt(stack, lump.centreMm())].young_kpa);
 }
 
@@ -160,7 +160,7 @@ void check(const LumpShape& lump, const LayerStack& stack) {
 }
 
 Saturation::Saturation(const LumpShape& lump, const LayerStack& stack)
-    : stack_(stack), young_kpa_(youngOf(lump, stack)), edge_(lump.edge) {
+    : stack_(stack), young_kpa_(youngModulus(lump, stack)), edge_(lump.edge) {
   const double radius = lump.radiusMm();
   const double gap = lump.depth_mm - stack.layers.front().thickness_mm;
   gap_radii_ = gap / radius;

@@ -67,7 +67,7 @@ double defaultModulus(std::string_view tissue) {
   return found->low_kpa;
 }
 
-std::string_view whatModuliMean() {
+std::string_view moduliCaveat() {
   return "The defaults bracket people, they represent nobody: published stiffness of one tissue spreads over two to "
          "three powers of ten with method, load and person.";
 }

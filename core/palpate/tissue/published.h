@@ -46,6 +46,6 @@ std::span<const FrictionPreset> frictionPresets();
 double defaultModulus(std::string_view tissue);
 
 /// A line for wherever these numbers are shown.
-std::string_view whatModuliMean();
+std::string_view moduliCaveat();
 
 }  // namespace palpate::tissue

@@ -95,7 +95,7 @@ class TickSeries {
   void add(std::uint64_t tick, const MeasuredValues& values, bool touching);
 
   std::uint64_t firstTick() const { return first_tick_; }
-  std::uint64_t ticksABucket() const { return ticks_a_bucket_; }
+  std::uint64_t ticksPerBucket() const { return ticks_a_bucket_; }
   const std::vector<SeriesBucket>& buckets() const { return buckets_; }
 
  private:

@@ -30,10 +30,10 @@ TEST(Handover, GivesTheNewestAndTakesBackTheOld) {
   {
     Handover<Thing> handover;
     auto current = std::make_unique<Thing>(1);
-    EXPECT_FALSE(handover.take(current, kKeepsNothing)) << "nothing was offered";
+    EXPECT_FALSE(handover.receive(current, kKeepsNothing)) << "nothing was offered";
     handover.offer(std::make_unique<Thing>(2));
     handover.offer(std::make_unique<Thing>(3));
-    ASSERT_TRUE(handover.take(current, kKeepsNothing));
+    ASSERT_TRUE(handover.receive(current, kKeepsNothing));
     EXPECT_EQ(current->number, 3);
     EXPECT_EQ(Thing::alive, 2) << "the old one waits to be collected";
     EXPECT_TRUE(handover.collect());
@@ -47,18 +47,18 @@ TEST(Handover, DoesNotTakeWhileTheLastOneIsNotCollected) {
   Handover<Thing> handover;
   auto current = std::make_unique<Thing>(1);
   handover.offer(std::make_unique<Thing>(2));
-  ASSERT_TRUE(handover.take(current, kKeepsNothing));
+  ASSERT_TRUE(handover.receive(current, kKeepsNothing));
   handover.offer(std::make_unique<Thing>(3));  // collects the first
-  ASSERT_TRUE(handover.take(current, kKeepsNothing));
+  ASSERT_TRUE(handover.receive(current, kKeepsNothing));
   EXPECT_EQ(current->number, 3);
-  EXPECT_FALSE(handover.take(current, kKeepsNothing));
+  EXPECT_FALSE(handover.receive(current, kKeepsNothing));
 }
 
 TEST(Handover, LetsTheTakerMoveThingsOverBeforeTheOldOneIsPutDown) {
   Handover<Thing> handover;
   auto current = std::make_unique<Thing>(1);
   handover.offer(std::make_unique<Thing>(2));
-  ASSERT_TRUE(handover.take(current, [](Thing& before, Thing& next) { std::swap(before.check, next.check); }));
+  ASSERT_TRUE(handover.receive(current, [](Thing& before, Thing& next) { std::swap(before.check, next.check); }));
   EXPECT_EQ(current->number, 2);
   EXPECT_EQ(current->check, 2) << "of the first";
 }
@@ -72,7 +72,7 @@ TEST(Handover, BetweenTwoThreadsEverythingArrivesWholeAndIsDestroyedByItsMaker) 
   std::thread loop([&] {
     int last = 0;
     while (!done.load() || last < kThings) {
-      if (handover.take(current, kKeepsNothing)) {
+      if (handover.receive(current, kKeepsNothing)) {
         ASSERT_GT(current->number, last);
         ASSERT_EQ(current->check, 2 * current->number);
         last = current->number;

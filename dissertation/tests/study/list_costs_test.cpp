@@ -11,10 +11,10 @@ TEST(ListCosts, FeelTheSameAndTestLessFromListToList) {
   ASSERT_EQ(costs.rows.size(), 4u);
   for (const ListRow& row : costs.rows) EXPECT_TRUE(row.same) << static_cast<int>(row.query);
   const std::size_t model = costs.models.front();
-  const ListRow& leaves = *costRow(costs, model, hdb::HdbQuery::leaves);
-  const ListRow& exact = *costRow(costs, model, hdb::HdbQuery::triangles);
-  const ListRow& coherent = *costRow(costs, model, hdb::HdbQuery::coherent);
-  const ListRow& linked = *costRow(costs, model, hdb::HdbQuery::linked);
+  const ListRow& leaves = *findListRow(costs, model, hdb::HdbQuery::leaves);
+  const ListRow& exact = *findListRow(costs, model, hdb::HdbQuery::triangles);
+  const ListRow& coherent = *findListRow(costs, model, hdb::HdbQuery::coherent);
+  const ListRow& linked = *findListRow(costs, model, hdb::HdbQuery::linked);
   EXPECT_DOUBLE_EQ(linked.listed, exact.listed);  // no margin
   EXPECT_GT(coherent.listed, exact.listed);
   EXPECT_GT(leaves.listed, exact.listed);
@@ -22,7 +22,7 @@ TEST(ListCosts, FeelTheSameAndTestLessFromListToList) {
   EXPECT_GT(linked.moved, 0.0);
   EXPECT_LT(linked.bytes, exact.bytes);
   EXPECT_LT(coherent.asked, 0.2);
-  EXPECT_EQ(costRow(costs, 5, hdb::HdbQuery::linked), nullptr);
+  EXPECT_EQ(findListRow(costs, 5, hdb::HdbQuery::linked), nullptr);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void writeWholeFile(const std::filesystem::path& file, std::string_view content)
 
 #ifndef PALPATE_NO_THREADS
 
-StartedWork startOnAThread(std::function<void()> work) {
+StartedWork startOnThread(std::function<void()> work) {
   // This policy falls back on doing the work in `join` where the system refuses a thread. Such a piece is never `done`:
   // there is nothing to wait for. For work that is moved in, libstdc++ 12 falls back on what the refused thread has
   // left: an empty function. So it is copied.
@@ -81,7 +81,7 @@ std::size_t threadsOfTheMachine() { return std::max(1u, std::thread::hardware_co
   host.read_file = readWholeFile;
   host.write_file = writeWholeFile;
 #ifndef PALPATE_NO_THREADS
-  host.start = startOnAThread;
+  host.start = startOnThread;
   host.processors = threadsOfTheMachine;
 #endif
   useEnvironment(host);

@@ -88,7 +88,7 @@ Device openNamed(std::string_view words, OpenOptions options) {
   return device;
 }
 
-std::string whyNot(const BackEnd& back_end, const Probe& probe) {
+std::string probeFailureText(const BackEnd& back_end, const Probe& probe) {
   const std::string remedy = probe.remedy.empty() ? "" : fmt::format("; {}", probe.remedy);
   return fmt::format("{}: {}{}", back_end.name, probe.reason, remedy);
 }
@@ -101,7 +101,7 @@ std::string describe(const Device& device) {
   return text;
 }
 
-std::vector<std::string> tendDevices(std::span<const Device> devices) {
+std::vector<std::string> reviveDevices(std::span<const Device> devices) {
   std::vector<std::string> troubles;
   for (const Device& device : devices) {
     const std::string trouble = device.explain ? device.explain() : std::string();

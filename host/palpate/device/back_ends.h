@@ -97,13 +97,13 @@ DeviceName deviceNamedInFile(std::string_view words);
 Device openNamed(std::string_view words, OpenOptions options);
 
 /// The probe's reason and remedy as one line.
-std::string whyNot(const BackEnd& back_end, const Probe& probe);
+std::string probeFailureText(const BackEnd& back_end, const Probe& probe);
 
 /// "openhaptics, PHANTOM Omni, at most 3.30 N"
 std::string describe(const Device& device);
 
 /// Devices that were lost and can be found again are; returns the faults of the others, in words. For a thread that may
 /// wait, about once a second.
-std::vector<std::string> tendDevices(std::span<const Device> devices);
+std::vector<std::string> reviveDevices(std::span<const Device> devices);
 
 }  // namespace palpate::device

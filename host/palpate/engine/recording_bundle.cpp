@@ -43,15 +43,15 @@ bool isAtOrIn(const fs::path& file, const fs::path& place) {
   return std::mismatch(place.begin(), place.end(), file.begin(), file.end()).first == place.end();
 }
 
-bool isOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// Replaces every occurrence as a whole word.
 void replaceWord(std::string& text, const std::string& word, const std::string& with) {
   if (word.empty()) return;
   for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at)) {
     const std::size_t end = at + word.size();
-    const bool begins = at == 0 || !isOfWord(word.front()) || !isOfWord(text[at - 1]);
-    const bool ends = end == text.size() || !isOfWord(word.back()) || !isOfWord(text[end]);
+    const bool begins = at == 0 || !isWordCharacter(word.front()) || !isWordCharacter(text[at - 1]);
+    const bool ends = end == text.size() || !isWordCharacter(word.back()) || !isWordCharacter(text[end]);
     if (begins && ends) {
       text.replace(at, word.size(), with);
       at += with.size();

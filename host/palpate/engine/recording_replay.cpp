@@ -40,7 +40,7 @@ class ReplayProof {
   /// The samples of the next tick, before any of them is felt.
   void begin(std::span<const trace::Sample> recorded);
   /// True where a finger of which nothing is known begins to rest: it must be felt as one that has never touched.
-  bool beginsAnew(const trace::Sample& recorded);
+  bool isFreshStart(const trace::Sample& recorded);
   /// Whether time before this tick is missing, a device was exchanged, or a finger's press is not known: where lumps
   /// had moved to is not known then.
   bool lostLumps() const { return lost_lumps_ || !knowsAll(); }
@@ -63,7 +63,7 @@ class ReplayProof {
     std::uint64_t unproven = 0;
     std::uint64_t since = 0;  ///< tick of the first of them
   };
-  void loseSight(const trace::RecordingEvent& event);
+  void invalidateFingers(const trace::RecordingEvent& event);
 
   std::vector<Finger> fingers_;
   std::vector<trace::RecordingEvent> events_;
@@ -81,7 +81,7 @@ ReplayProof::ReplayProof(trace::RecordingReader& recording) : ticks_per_s_(recor
   }
 }
 
-void ReplayProof::loseSight(const trace::RecordingEvent& event) {
+void ReplayProof::invalidateFingers(const trace::RecordingEvent& event) {
   for (std::size_t i = 0; i < fingers_.size(); ++i) {
     if (event.finger && *event.finger != i) continue;
     fingers_[i].counts_known = false;
@@ -101,12 +101,12 @@ void ReplayProof::begin(std::span<const trace::Sample> recorded) {
     finger.known = finger.known || (sample.forgot & trace::kForgotTouch) != 0;
   }
   for (; next_ < events_.size() && events_[next_].tick <= recorded.front().tick; ++next_) {
-    loseSight(events_[next_]);
+    invalidateFingers(events_[next_]);
     lost_lumps_ = true;
   }
 }
 
-bool ReplayProof::beginsAnew(const trace::Sample& recorded) {
+bool ReplayProof::isFreshStart(const trace::Sample& recorded) {
   Finger& finger = fingers_[recorded.finger];
   if (finger.known) return false;
   finger.known = finger.rest.add(recorded);
@@ -259,7 +259,7 @@ class Replay {
   trace::Sample feelAgain(const trace::Sample& sample) {
     if (sample.world != number_) enter(sample.world);
     servo::FingerChain& chain = fingers_[sample.finger];
-    forget(sample.forgot | (proof_.beginsAnew(sample) ? trace::kForgotTouch | trace::kForgotLimiter : 0u), chain);
+    forget(sample.forgot | (proof_.isFreshStart(sample) ? trace::kForgotTouch | trace::kForgotLimiter : 0u), chain);
     servo::Pose pose;
     pose.tip = sampleTip(sample);
     pose.tick = sample.tick;

@@ -37,7 +37,7 @@ void setTickLength(ServoPlan& plan, double tick_s) {
   plan.limiter.tick_s = tick_s;
 }
 
-/// Devices of a plan that was never taken take their fingers with the plan in its place.
+/// Devices of a plan that was never adopted move to the same fingers of the plan that replaces it.
 void inheritDevices(std::vector<std::optional<device::Device>>& devices, std::optional<ServoPlan>& waiting) {
   for (std::size_t i = 0; waiting && i < waiting->devices.size(); ++i) {
     if (!devices[i]) devices[i] = std::move(waiting->devices[i]);
@@ -99,7 +99,7 @@ servo::LoopReport ServoThread::stop() {
 }
 
 void ServoThread::beforeTick(servo::Rig& rig) noexcept {
-  handover_.take(at_work_, [&rig](ServoPlan& before, ServoPlan& next) noexcept { adopt(rig, before, next); });
+  handover_.receive(at_work_, [&rig](ServoPlan& before, ServoPlan& next) noexcept { adopt(rig, before, next); });
   if (guide_) guide_(rig.fingers);
 }
 

@@ -50,7 +50,7 @@ void WorldBuilder::replaceRequest(std::optional<BuildRequest> request) {
   ++newest_;
 }
 
-std::optional<BuildResult> WorldBuilder::take() {
+std::optional<BuildResult> WorldBuilder::collectResult() {
   const std::lock_guard lock(mutex_);
   return std::exchange(result_, std::nullopt);
 }

@@ -1,6 +1,6 @@
 // Builds worlds in the background: the old body stays touchable until the new one is there, the newest request wins.
 //
-//   request ─► worker thread of low priority [ read? ─ scene::build or rebuilt ─ check? ] ─► take ─►
+//   request ─► worker thread of low priority [ read? ─ scene::build or rebuilt ─ check? ] ─► collectResult ─►
 //   ServoThread::change
 //
 // A build is given up at its next sign of life (a progress report) when a newer request, a cancellation or the end
@@ -60,7 +60,7 @@ class WorldBuilder {
   /// Forgets the newest request: no result will come.
   void cancel();
   /// The result of the newest request once it is there, at most once. Never waits for the work.
-  std::optional<BuildResult> take();
+  std::optional<BuildResult> collectResult();
   /// Progress of the work under way, if any.
   std::optional<BuildProgress> progress() const;
 

@@ -94,7 +94,7 @@ std::optional<std::string> bytesIn(const fs::path& file, std::string_view head) 
   return content;
 }
 
-std::optional<std::string> ofTheUser(std::string_view head) {
+std::optional<std::string> readUserBody(std::string_view head) {
   const fs::path folder = storeFolder();
   std::error_code error;
   if (folder.empty() || !fs::is_directory(folder, error)) return std::nullopt;
@@ -105,7 +105,7 @@ std::optional<std::string> ofTheUser(std::string_view head) {
   return bytes;
 }
 
-std::optional<std::string> besideTheProgram(std::string_view head) {
+std::optional<std::string> readBundledBody(std::string_view head) {
   const fs::path programs = system::ownProgram().parent_path();
   for (const char* share : {"share", "../share"}) {  // in a build folder, in an installed program
     if (auto bytes = bytesIn(programs / share / "palpate" / "bodies" / fileNameFor(head), head)) return bytes;
@@ -116,7 +116,7 @@ std::optional<std::string> besideTheProgram(std::string_view head) {
 std::optional<std::string> findBody(std::string_view recipe) {
   if (storeBytes() == 0) return std::nullopt;
   const std::string head = makeFileHead(recipe);
-  for (const auto& find : {ofTheUser, besideTheProgram}) {
+  for (const auto& find : {readUserBody, readBundledBody}) {
     try {
       if (auto bytes = find(head)) return bytes;
     } catch (const Error&) {

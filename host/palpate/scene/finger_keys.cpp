@@ -124,7 +124,7 @@ void checkFinger(const Finger& finger, const Entry& entry) {
 /// Presses at a named place by default. Without a place the finger finds its own way.
 void pressNamedPlace(const TomlNode& table, Finger& finger) {
   const bool has_place = table.get("at") != nullptr || table.get("at_mm") != nullptr;
-  if (!has_place || !finger.findsItsOwnWay()) return;
+  if (!has_place || !finger.hasAutomaticPath()) return;
   finger.steps = {{.move = Move::press}, {.move = Move::lift}};
 }
 

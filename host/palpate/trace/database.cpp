@@ -92,7 +92,7 @@ Statement::Statement(Database& database, std::string_view sql) : database_(datab
       ::sqlite3_prepare_v2(database.database_.get(), sql.data(), static_cast<int>(sql.size()), &statement, nullptr);
   statement_.reset(statement);
   if (result == SQLITE_OK) return;
-  database.rethrowWhatEndedIt();
+  database.rethrowCause();
   database.fail("cannot be asked");
 }
 
@@ -136,7 +136,7 @@ bool Statement::next() {
   ::sqlite3_clear_bindings(statement_.get());
   bound_ = 0;
   if (result == SQLITE_DONE) return false;
-  database_.rethrowWhatEndedIt();
+  database_.rethrowCause();
   throw Error::inFile(database_.name(), words);
 }
 
@@ -241,14 +241,14 @@ int Database::onProgress(void* of_database) noexcept {
   return guard.steps > kFreeSteps + kStepsPerByte * bytes ? 1 : 0;
 }
 
-void Database::rethrowWhatEndedIt() const {
+void Database::rethrowCause() const {
   if (const std::exception_ptr cause = std::exchange(guard_->ended_by, nullptr)) std::rethrow_exception(cause);
 }
 
 void Database::run(const std::string& sql) {
   guard_->steps = 0;
   if (::sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) return;
-  rethrowWhatEndedIt();
+  rethrowCause();
   fail({});
 }
 

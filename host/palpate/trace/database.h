@@ -115,7 +115,7 @@ class Database {
   };
   void harden() const;
   static int onProgress(void* guard) noexcept;
-  void rethrowWhatEndedIt() const;
+  void rethrowCause() const;
 
   std::string name_;
   std::unique_ptr<Guard> guard_;  ///< outlives the database, which calls it

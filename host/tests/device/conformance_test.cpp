@@ -208,8 +208,8 @@ class EveryHardware : public testing::TestWithParam<std::string> {
     return device;
   }
 
-  /// Where a device is that has been mended, once it feels again; looked for as tendDevices does, again and again: on a
-  /// busy machine a service may answer too late at first.
+  /// Where a device is that has been mended, once it feels again; looked for as reviveDevices does, again and again: on
+  /// a busy machine a service may answer too late at first.
   Vec3 backIn(Device& device) {
     Vec3 tip = kNoPlace;
     for (int i = 0; i < 4000 && !(tip.allFinite() && (bench.force() - kPush).norm() < 1e-12); ++i) {

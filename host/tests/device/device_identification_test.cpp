@@ -63,7 +63,7 @@ DeviceIdentification identified(const SimulatedHandSettings& settings) {
 struct Errors {
   double mass = 0.0, damping = 0.0, friction = 0.0, delay = 0.0;
 
-  void take(const SimulatedHandSettings& truth, const DeviceIdentification& found) {
+  void addErrors(const SimulatedHandSettings& truth, const DeviceIdentification& found) {
     const auto share = [](double is, double should) { return std::abs(is / should - 1.0); };
     mass = std::max(mass, share(found.mass_kg, truth.device.mass_kg));
     damping = std::max(damping, share(found.damping_n_s_per_mm, truth.device.damping_n_s_per_mm));
@@ -81,7 +81,7 @@ TEST_P(Identification, FindsWhatTheDeviceIs) {
   Errors worst;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const SimulatedHandSettings truth = makeDeviceSettings(GetParam(), seed);
-    worst.take(truth, identified(truth));
+    worst.addErrors(truth, identified(truth));
   }
   fmt::print("{:<12} mass {:.1f} %, damping {:.1f} %, friction {:.1f} %, delay {:.2f} ticks, of {} devices\n",
              wordFor(GetParam()), 100.0 * worst.mass, 100.0 * worst.damping, 100.0 * worst.friction, worst.delay,
@@ -113,7 +113,7 @@ TEST(Identification, IsGentle) {
     for (const double place : swings.record().place_mm) farthest_mm = std::max(farthest_mm, std::abs(place));
     EXPECT_LE(most_n, std::min(2.0, 0.2 * settings.device.force_n) + 1e-12) << wordFor(model);
     EXPECT_LE(farthest_mm, 62.5) << wordFor(model);
-    EXPECT_LE(swings.record().place_mm.size(), 20000u) << wordFor(model) << ": it should not take longer than 20 s";
+    EXPECT_LE(swings.record().place_mm.size(), 20000u) << wordFor(model) << ": it should not last longer than 20 s";
   }
 }
 
@@ -164,7 +164,7 @@ TEST(Identification, ATickThatWasMissedDoesLittle) {
     device.writeForce(force);
   }
   Errors errors;
-  errors.take(truth, identify(swings.record()));
+  errors.addErrors(truth, identify(swings.record()));
   EXPECT_LE(errors.mass, 0.02);
   EXPECT_LE(errors.damping, 0.1);
   EXPECT_LE(errors.delay, 0.5);

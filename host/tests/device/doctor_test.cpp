@@ -72,18 +72,18 @@ TEST(Doctor, NamesTheLibraryThatALibraryNeeds) {
 TEST(Doctor, AFoundLibraryThatDoesNotLoadSaysMoreThanOneThatIsNotThere) {
   const SharedLibrary library =
       openLibrary(std::vector<std::string>{"libnone_a.so", doubles::libraryOf("openhaptics_needing"), "libnone_b.so"});
-  ASSERT_NE(tellingAttempt(library), nullptr);
-  EXPECT_EQ(tellingAttempt(library)->dependency, "libPhantomIOLib42.so");
+  ASSERT_NE(mostInformativeAttempt(library), nullptr);
+  EXPECT_EQ(mostInformativeAttempt(library)->dependency, "libPhantomIOLib42.so");
 }
 
 TEST(Doctor, OfSeveralThatSayAsMuchTheFirstIsTold) {
   const SharedLibrary none = openLibrary(std::vector<std::string>{"libnone_a.so", "libnone_b.so"});
-  EXPECT_EQ(tellingAttempt(none)->name, "libnone_a.so") << "the name that is usual";
+  EXPECT_EQ(mostInformativeAttempt(none)->name, "libnone_a.so") << "the name that is usual";
   const std::string needing = doubles::libraryOf("openhaptics_needing");
   const support::TemporaryFolder folder;
   std::ofstream(folder / "libHD.so") << std::string(1000, 'x');
   const SharedLibrary found = openLibrary(std::vector<std::string>{needing, (folder / "libHD.so").string()});
-  EXPECT_EQ(tellingAttempt(found)->name, needing);
+  EXPECT_EQ(mostInformativeAttempt(found)->name, needing);
 }
 
 TEST(Doctor, TellsADependencyFromTheLibraryItself) {

@@ -43,7 +43,7 @@ std::string hello(const std::string& secret = kSecret, std::size_t bytes = kHell
 /// The server's nonce for a hello at this tick; empty where it is not answered.
 std::string nonceOf(RemoteGate& gate, std::uint64_t tick, const RemotePeer& from = kFirst,
                     const std::string& last_pose = "0") {
-  EXPECT_FALSE(gate.take(hello(), from, tick));
+  EXPECT_FALSE(gate.acceptPose(hello(), from, tick));
   const std::string reply(gate.reply());
   const std::string before = "challenge " + kTheirNonce + " ";
   if (!reply.starts_with(before)) return {};
@@ -69,42 +69,42 @@ int countAnswers(RemoteGate& gate, std::uint64_t first_tick, int ticks) {
 TEST(RemoteGate, APoseBringsSoManyAnswersAndNoMore) {
   RemoteGate gate(std::nullopt, seed(), kHandoverTicks);
   EXPECT_EQ(countAnswers(gate, 0, 100), 0) << "nobody has asked";
-  ASSERT_TRUE(gate.take("p 0 0 0", kFirst, 0));
+  ASSERT_TRUE(gate.acceptPose("p 0 0 0", kFirst, 0));
   EXPECT_EQ(countAnswers(gate, 0, 10000), kAnswersPerPose);
-  for (std::uint64_t tick = 20000; tick < 20100; ++tick) ASSERT_TRUE(gate.take("p 0 0 0", kFirst, tick));
+  for (std::uint64_t tick = 20000; tick < 20100; ++tick) ASSERT_TRUE(gate.acceptPose("p 0 0 0", kFirst, tick));
   EXPECT_EQ(countAnswers(gate, 20100, 10000), kAnswersPerPose) << "poses that came at once do not add up";
 }
 
 TEST(RemoteGate, ASecondSenderIsIgnoredUntilTheFirstWasSilentForASecond) {
   RemoteGate gate(std::nullopt, seed(), kHandoverTicks);
-  ASSERT_TRUE(gate.take("p 1 0 0", kFirst, 5));
+  ASSERT_TRUE(gate.acceptPose("p 1 0 0", kFirst, 5));
   for (const std::uint64_t tick : {5u, 6u, 500u, 1004u}) {
     gate.tick(tick);
-    EXPECT_FALSE(gate.take("p 2 0 0", kSecond, tick)) << tick;
+    EXPECT_FALSE(gate.acceptPose("p 2 0 0", kSecond, tick)) << tick;
     EXPECT_EQ(gate.holder(), kFirst);
   }
   EXPECT_EQ(gate.counts().ignored, 4u);
   gate.tick(1005);
-  EXPECT_TRUE(gate.take("p 2 0 0", kSecond, 1005));
+  EXPECT_TRUE(gate.acceptPose("p 2 0 0", kSecond, 1005));
   EXPECT_EQ(gate.holder(), kSecond);
-  EXPECT_FALSE(gate.take("p 1 0 0", kFirst, 1005));
+  EXPECT_FALSE(gate.acceptPose("p 1 0 0", kFirst, 1005));
 }
 
 TEST(RemoteGate, WithAKeyOnlySignedPosesMoveTheFinger) {
   RemoteGate gate(kSecret, seed(), kHandoverTicks);
   const std::string nonce = nonceOf(gate, 0);
   ASSERT_EQ(nonce, std::string(24, 'a') + "00000000");
-  EXPECT_FALSE(gate.take("p 1 2 3", kFirst, 0)) << "not signed";
-  EXPECT_FALSE(gate.take(pose(nonce, 1, std::string(32, 'x')), kFirst, 0)) << "another key";
+  EXPECT_FALSE(gate.acceptPose("p 1 2 3", kFirst, 0)) << "not signed";
+  EXPECT_FALSE(gate.acceptPose(pose(nonce, 1, std::string(32, 'x')), kFirst, 0)) << "another key";
   std::string changed = pose(nonce, 1);
   changed[2] = '9';
-  EXPECT_FALSE(gate.take(changed, kFirst, 0)) << "another place";
-  EXPECT_FALSE(gate.take(pose(std::string(32, 'b'), 1), kFirst, 0)) << "another run";
-  EXPECT_FALSE(gate.take(signedBy(kSecret, "q 1 2 3 " + nonce + " 1"), kFirst, 0)) << "signed, but no pose";
+  EXPECT_FALSE(gate.acceptPose(changed, kFirst, 0)) << "another place";
+  EXPECT_FALSE(gate.acceptPose(pose(std::string(32, 'b'), 1), kFirst, 0)) << "another run";
+  EXPECT_FALSE(gate.acceptPose(signedBy(kSecret, "q 1 2 3 " + nonce + " 1"), kFirst, 0)) << "signed, but no pose";
   EXPECT_EQ(gate.counts().not_signed, 4u);
   EXPECT_EQ(gate.counts().malformed, 1u);
   EXPECT_FALSE(gate.holder());
-  const auto taken = gate.take(pose(nonce, 2) + "\n", kFirst, 0);
+  const auto taken = gate.acceptPose(pose(nonce, 2) + "\n", kFirst, 0);
   ASSERT_TRUE(taken);
   EXPECT_EQ(taken->tip_mm, Vec3(1, 2, 3));
 }
@@ -112,20 +112,20 @@ TEST(RemoteGate, WithAKeyOnlySignedPosesMoveTheFinger) {
 TEST(RemoteGate, NothingThatWasSentCountsAgain) {
   RemoteGate gate(kSecret, seed(), kHandoverTicks);
   const std::string nonce = nonceOf(gate, 0);
-  ASSERT_TRUE(gate.take(pose(nonce, 7), kFirst, 0));
-  EXPECT_FALSE(gate.take(pose(nonce, 7), kFirst, 1)) << "again";
-  EXPECT_FALSE(gate.take(pose(nonce, 6), kFirst, 1)) << "an older one";
-  EXPECT_TRUE(gate.take(pose(nonce, 8), kFirst, 1));
+  ASSERT_TRUE(gate.acceptPose(pose(nonce, 7), kFirst, 0));
+  EXPECT_FALSE(gate.acceptPose(pose(nonce, 7), kFirst, 1)) << "again";
+  EXPECT_FALSE(gate.acceptPose(pose(nonce, 6), kFirst, 1)) << "an older one";
+  EXPECT_TRUE(gate.acceptPose(pose(nonce, 8), kFirst, 1));
   EXPECT_EQ(nonceOf(gate, 2, kFirst, "8"), nonce) << "who greets again goes on";
   gate.tick(1 + kHandoverTicks);
   EXPECT_FALSE(gate.holder());
-  EXPECT_FALSE(gate.take(pose(nonce, 9), kSecond, 1 + kHandoverTicks)) << "of a conversation that is over";
+  EXPECT_FALSE(gate.acceptPose(pose(nonce, 9), kSecond, 1 + kHandoverTicks)) << "of a conversation that is over";
   const std::string next = nonceOf(gate, 1 + kHandoverTicks, kSecond);
   EXPECT_NE(next, nonce);
-  EXPECT_TRUE(gate.take(pose(next, 1), kSecond, 1 + kHandoverTicks));
+  EXPECT_TRUE(gate.acceptPose(pose(next, 1), kSecond, 1 + kHandoverTicks));
 
   RemoteGate later(kSecret, seed('b'), kHandoverTicks);
-  EXPECT_FALSE(later.take(pose(nonce, 10), kFirst, 0)) << "of another run";
+  EXPECT_FALSE(later.acceptPose(pose(nonce, 10), kFirst, 0)) << "of another run";
 }
 
 TEST(RemoteGate, WithAKeyStrangersGetNotOneByte) {
@@ -133,7 +133,7 @@ TEST(RemoteGate, WithAKeyStrangersGetNotOneByte) {
   for (const std::string& message :
        {hello(std::string(32, 'x')), std::string("hello"), "hello " + kTheirNonce, hello(kSecret, 100),
         std::string("p 0 0 0"), std::string(kHelloBytes, ' '), std::string()}) {
-    EXPECT_FALSE(gate.take(message, kFirst, 0));
+    EXPECT_FALSE(gate.acceptPose(message, kFirst, 0));
     EXPECT_TRUE(gate.reply().empty()) << message;
     EXPECT_TRUE(gate.answer({0, 0, 1}).empty());
   }
@@ -145,7 +145,7 @@ TEST(RemoteGate, WithAKeyStrangersGetNotOneByte) {
 TEST(RemoteGate, AnswersAreSignedAndCountUp) {
   RemoteGate gate(kSecret, seed(), kHandoverTicks);
   const std::string nonce = nonceOf(gate, 0);
-  ASSERT_TRUE(gate.take(pose(nonce, 1), kFirst, 0));
+  ASSERT_TRUE(gate.acceptPose(pose(nonce, 1), kFirst, 0));
   EXPECT_EQ(gate.answer({0.5, 0, -1}), signedBy(kSecret, "f 0.500000 0.000000 -1.000000 " + nonce + " 1") + "\n");
   EXPECT_EQ(gate.answer({0, 0, 0}), signedBy(kSecret, "f 0.000000 0.000000 0.000000 " + nonce + " 2") + "\n");
 }
@@ -157,7 +157,7 @@ TEST(RemoteGate, AForceThatHasNoRoomInAnAnswerIsNotSent) {
   int pose_number = 0;
   int answer_number = 0;
   for (double force = 1.0; force < 1e300; force *= 10.0) {
-    ASSERT_TRUE(gate.take(pose(nonce, ++pose_number), kFirst, 0));
+    ASSERT_TRUE(gate.acceptPose(pose(nonce, ++pose_number), kFirst, 0));
     const std::string answer(gate.answer({force, 0, 0}));
     const std::string text = fmt::format("f {:.6f} 0.000000 0.000000 {} {}", force, nonce, ++answer_number);
     const std::string whole = signedBy(kSecret, text) + "\n";
@@ -179,9 +179,9 @@ TEST(RemoteGate, NoBytesOfAStrangerMoveAKeyedFinger) {
     }
     if (random.below(4) == 0) message.resize(random.below(message.size()));
     if (message == good) continue;
-    EXPECT_FALSE(gate.take(message, kFirst, 0)) << message;
+    EXPECT_FALSE(gate.acceptPose(message, kFirst, 0)) << message;
   }
-  EXPECT_TRUE(gate.take(good, kFirst, 0));
+  EXPECT_TRUE(gate.acceptPose(good, kFirst, 0));
 }
 
 TEST(RemoteGate, AsksForNeitherMemoryNorLocksWithAKey) {
@@ -194,9 +194,9 @@ TEST(RemoteGate, AsksForNeitherMemoryNorLocksWithAKey) {
   const lab::ThreadCounts before = lab::countsOfThisThread();
   for (std::size_t tick = 0; tick < poses.size(); ++tick) {
     gate.tick(tick);
-    (void)gate.take(greeting, kFirst, tick);
+    (void)gate.acceptPose(greeting, kFirst, tick);
     bytes += gate.reply().size();
-    if (gate.take(poses[tick], kFirst, tick)) bytes += gate.answer({1, 2, 3}).size();
+    if (gate.acceptPose(poses[tick], kFirst, tick)) bytes += gate.answer({1, 2, 3}).size();
   }
   const lab::ThreadCounts asked = lab::countsSince(before);
   support::expectNone(asked.allocations, "allocations");

@@ -39,7 +39,7 @@ TEST(SimulatedHand, SharedFrictionStopsAThrowAsItsForceOnItsMassDoes) {
   const double slowing_mm_s2 = 1000.0 * settings.device.friction_n / settings.device.mass_kg;
   const Vec3 velocity(60.0, 80.0, 0.0);
   SimulatedHand hand(settings);
-  hand.throwIt(velocity);
+  hand.setVelocity(velocity);
   for (int tick = 0; tick < 500; ++tick) hand.writeForce(Vec3::Zero());
   EXPECT_EQ(hand.velocity(), Vec3::Zero()) << "it sticks";
   const Vec3 way = velocity.normalized() * velocity.squaredNorm() / (2.0 * slowing_mm_s2);

@@ -29,7 +29,7 @@ device::Device restlessDevice(std::uint64_t seed) {
   return device;
 }
 
-servo::Rig rigOn(const std::shared_ptr<const scene::World>& world) {
+servo::Rig makeRig(const std::shared_ptr<const scene::World>& world) {
   servo::RigParts parts;
   parts.solvers = servo::makeSolvers(world->surface, nullptr, 2);
   parts.fingers = fingerSettings(world->scene, 2);
@@ -50,7 +50,7 @@ class Relaxation : public testing::Test {
   double record(int ticks) const {
     const auto felt_in = world();
     trace::RecordingWriter writer(file(), recordingHeader(1000.0), {{"left", "script"}, {"right", "script"}});
-    servo::Rig rig = rigOn(felt_in);
+    servo::Rig rig = makeRig(felt_in);
     writer.add(recordingWorld(*felt_in, feltWith(rig)));
     std::vector<trace::Sample> samples(2);
     double most = 0.0;

@@ -135,7 +135,7 @@ TEST(ServoThread, OfManyChangesTheNewestWins) {
 }
 
 // A finger that forgets what it touched is free until it comes from above again. It must forget for a plan with another
-// body, even when a newer plan of the same body came before the servo could take that one.
+// body, even when a newer plan of the same body came before the servo could adopt that one.
 TEST(ServoThread, ForgetsTheTouchWhenOneOfThePlansHadAnotherBody) {
   const auto world = sheet(0.5);
   for (const bool other_body : {false, true}) {
@@ -253,7 +253,7 @@ TEST(ServoThread, APartitionCanBeReplacedUnderAFinger) {
     request.scene.partition.build.tree = threshold == 512 ? hdb::TreeKind::Bsp : hdb::TreeKind::Octree;
     builder.request(request);
     std::optional<BuildResult> result;
-    while (!(result = builder.take())) std::this_thread::yield();
+    while (!(result = builder.collectResult())) std::this_thread::yield();
     ASSERT_TRUE(result->world) << result->error;
     servo.change(makePlan(result->world, 40.0, false));
     ASSERT_TRUE(waitFor(servo, [&] { return servo.world() == result->world; }));

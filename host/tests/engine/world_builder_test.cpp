@@ -32,7 +32,7 @@ struct Balls {
 
 BuildResult awaitResult(WorldBuilder& builder) {
   while (true) {
-    if (auto result = builder.take()) return *std::move(result);
+    if (auto result = builder.collectResult()) return *std::move(result);
     std::this_thread::yield();
   }
 }
@@ -44,13 +44,13 @@ void waitUntilIdle(const WorldBuilder& builder) {
 TEST(WorldBuilder, HandsOverWhatWasRequestedOnce) {
   const Balls balls;
   WorldBuilder builder;
-  EXPECT_FALSE(builder.take());
+  EXPECT_FALSE(builder.collectResult());
   builder.request(balls.request("small.ply"));
   const BuildResult result = awaitResult(builder);
   ASSERT_TRUE(result.world) << result.error;
   EXPECT_EQ(result.world->body->name, "small.ply");
   EXPECT_FALSE(builder.progress());
-  EXPECT_FALSE(builder.take());
+  EXPECT_FALSE(builder.collectResult());
 }
 
 TEST(WorldBuilder, TellsWhatIsWrongWithAFile) {
@@ -95,7 +95,7 @@ TEST(WorldBuilder, OnlyTheNewestRequestCounts) {
   builder.request(balls.request("small.ply"));
   EXPECT_EQ(awaitResult(builder).world->body->name, "small.ply");
   waitUntilIdle(builder);
-  EXPECT_FALSE(builder.take());
+  EXPECT_FALSE(builder.collectResult());
 }
 
 TEST(WorldBuilder, ACancelledRequestLeavesNothingEvenWhenItWasDone) {
@@ -104,11 +104,11 @@ TEST(WorldBuilder, ACancelledRequestLeavesNothingEvenWhenItWasDone) {
   builder.request(balls.request("large.ply"));
   builder.cancel();
   waitUntilIdle(builder);
-  EXPECT_FALSE(builder.take());
+  EXPECT_FALSE(builder.collectResult());
   builder.request(balls.request("small.ply"));
   waitUntilIdle(builder);
   builder.cancel();
-  EXPECT_FALSE(builder.take());
+  EXPECT_FALSE(builder.collectResult());
 }
 
 TEST(WorldBuilder, ReusesABody) {
@@ -132,7 +132,7 @@ TEST(WorldBuilder, ReportsProgressWhileItBuilds) {
   builder.request(balls.request("large.ply"));
   std::vector<std::string> stages;
   std::optional<BuildResult> result;
-  while (!(result = builder.take())) {
+  while (!(result = builder.collectResult())) {
     if (const auto progress = builder.progress()) {
       EXPECT_GE(progress->done, 0.0);
       EXPECT_LE(progress->done, 1.0);
@@ -180,7 +180,7 @@ TEST(WorldBuilder, ManyThreadsRequestAndTakeAtOnce) {
         if (random.below(40) == 0) builder.cancel();
         const auto progress = builder.progress();
         EXPECT_LE(progress ? progress->done : 0.0, 1.0);
-        const auto result = builder.take();
+        const auto result = builder.collectResult();
         EXPECT_TRUE(!result || result->world);
         if (random.below(4) == 0) std::this_thread::sleep_for(std::chrono::microseconds(300));
       }

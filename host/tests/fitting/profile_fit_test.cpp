@@ -82,7 +82,7 @@ TEST(ProfileFit, SkinHiddenUnderTheIndenterTouchesIt) {
   const ProfileFit fit = fitProfile(hidden, ProfileForm::two_gaussians);
   EXPECT_FALSE(fit.surface_measured);
   EXPECT_EQ(fit.surface_mm, 6.0);
-  EXPECT_NEAR(downOf(fit, 4.0), bulging(4.0), 0.02) << "foretold";
+  EXPECT_NEAR(downShare(fit, 4.0), bulging(4.0), 0.02) << "foretold";
   EXPECT_TRUE(fitProfile(MadeSkin{.from_mm = 1.5}.like(bulging), ProfileForm::two_gaussians).surface_measured);
 }
 
@@ -95,7 +95,7 @@ TEST(ProfileFit, FollowsSidewaysMotion) {
     ASSERT_TRUE(fit.vector_rms.has_value());
     EXPECT_LT(*fit.vector_rms, 2e-3) << nameOf(form);
     for (const double r : {0.0, 3.0, 7.0, 20.0}) {
-      EXPECT_NEAR(fit.surface_mm * outwardOf(fit, r), outward(r), 0.02) << nameOf(form) << " " << r;
+      EXPECT_NEAR(fit.surface_mm * outwardShare(fit, r), outward(r), 0.02) << nameOf(form) << " " << r;
     }
   }
   EXPECT_FALSE(fitProfile(MadeSkin{}.like(bulging), ProfileForm::measured).vector_rms.has_value());

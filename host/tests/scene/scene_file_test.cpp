@@ -183,7 +183,7 @@ TEST(SceneFile, AFingerOverAPlacePressesItAndLifts) {
     EXPECT_EQ(scene.fingers[0].steps[0].move, Move::press);
     EXPECT_EQ(scene.fingers[0].steps[1].move, Move::lift);
   }
-  EXPECT_TRUE(parse("[[finger]]\nradius_mm = 8\n", "s.toml").fingers[0].findsItsOwnWay());
+  EXPECT_TRUE(parse("[[finger]]\nradius_mm = 8\n", "s.toml").fingers[0].hasAutomaticPath());
 }
 
 TEST(SceneFile, FingersWithoutANameHaveThoseOfAHandThatAreFree) {

@@ -148,7 +148,7 @@ TEST(LayeredBody, ADragAlongTheSpineFollowsTheMeasuredEllipseAndOneAcrossTurnsIt
 }
 
 /// Where a tenth of the drag is left, as a location ratio.
-double findTenth(const tissue::LayeredCurve& drag) {
+double findTenthFallOff(const tissue::LayeredCurve& drag) {
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 50; ++i) {
     const double q = 0.5 * (low + high);
@@ -183,7 +183,7 @@ TEST(LayeredBody, OfAMeasuredPersonHasLayersBonesAndTheEllipsesThatWereMeasured)
   for (const auto& [words, half_major_mm] : measured) {
     const auto contact = contactOf(*person, fingerAt(*person, vertexAt(*person, words), 5.0, {0, 20, 0}));
     ASSERT_TRUE(contact);
-    const double tenth = contact->tangential_region.half_major.norm() * findTenth(contact->layered->drag);
+    const double tenth = contact->tangential_region.half_major.norm() * findTenthFallOff(contact->layered->drag);
     EXPECT_NEAR(tenth, half_major_mm, 0.02 * half_major_mm) << words;
   }
 }

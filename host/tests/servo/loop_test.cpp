@@ -34,7 +34,7 @@ std::shared_ptr<const std::vector<Vec3>> pressAndSlide(std::size_t ticks, double
   return std::make_shared<const std::vector<Vec3>>(std::move(tips));
 }
 
-Rig rigOn(const contact::Surface& surface, std::size_t ticks) {
+Rig makeRig(const contact::Surface& surface, std::size_t ticks) {
   Rig rig;
   FingerSolvers solvers = makeSolvers(surface, nullptr, 2);
   for (const double y_mm : {-30.0, 30.0}) {
@@ -54,7 +54,7 @@ PacedSettings quick() {
 
 TEST(Tick, GivesContactForceToTheTraceAndASafeForceToTheDevice) {
   const contact::Surface surface = plate();
-  Rig rig = rigOn(surface, 10);
+  Rig rig = makeRig(surface, 10);
   Vec3 written = Vec3::Zero();
   rig.fingers[0].device.read_tip = [](std::uint64_t tick) { return Vec3(0, 0, tick == 0 ? 1.0 : -20.0); };
   rig.fingers[0].device.write_force = [&](const Vec3& force) { written = force; };
@@ -68,7 +68,7 @@ TEST(Tick, GivesContactForceToTheTraceAndASafeForceToTheDevice) {
 
 TEST(Tick, ADeviceWithoutPositionGivesNoNumberToNobody) {
   const contact::Surface surface = plate();
-  Rig rig = rigOn(surface, 10);
+  Rig rig = makeRig(surface, 10);
   rig.fingers[0].device.read_tip = [](std::uint64_t) {
     return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   };
@@ -81,7 +81,7 @@ TEST(Tick, ADeviceWithoutPositionGivesNoNumberToNobody) {
 
 TEST(HeadlessLoop, RunsEveryTickOfEveryFingerInOrder) {
   const contact::Surface surface = plate();
-  Rig rig = rigOn(surface, 500);
+  Rig rig = makeRig(surface, 500);
   std::uint64_t expected = 0;
   double peak = 0.0;
   const LoopReport report = runHeadless(rig, 500, [&](std::span<const trace::Sample> samples) {
@@ -98,7 +98,7 @@ TEST(HeadlessLoop, RunsEveryTickOfEveryFingerInOrder) {
 TEST(HeadlessLoop, CountsTheTicksThatTookLongerThanATick) {
   const contact::Surface surface = plate();
   const auto slow_ticks = [&](double tick_s) {
-    Rig rig = rigOn(surface, 50);
+    Rig rig = makeRig(surface, 50);
     rig.tick_s = tick_s;
     return runHeadless(rig, 50, [](std::span<const trace::Sample>) {}).slow_ticks;
   };
@@ -109,7 +109,7 @@ TEST(HeadlessLoop, CountsTheTicksThatTookLongerThanATick) {
 TEST(HeadlessLoop, GivesTheSameBitsTwice) {
   const contact::Surface surface = plate();
   const auto forces = [&] {
-    Rig rig = rigOn(surface, 500);
+    Rig rig = makeRig(surface, 500);
     std::vector<Vec3> all;
     runHeadless(rig, 500, [&](std::span<const trace::Sample> samples) {
       for (const trace::Sample& s : samples) {
@@ -128,7 +128,7 @@ TEST(HeadlessLoop, GivesTheSameBitsTwice) {
 TEST(PacedLoop, FeedsWriterAndDisplayBesideTheServo) {
   const contact::Surface surface = plate();
   constexpr std::uint64_t kTicks = 400;
-  Rig rig = rigOn(surface, kTicks);
+  Rig rig = makeRig(surface, kTicks);
   LoopLinks links(rig.fingers.size());
   std::vector<trace::Sample> written;
   SampleDrain drain(links, [&](const trace::Sample& sample) { written.push_back(sample); });
@@ -155,7 +155,7 @@ TEST(PacedLoop, FeedsWriterAndDisplayBesideTheServo) {
 
 TEST(PacedLoop, StopsWhenAskedAndLetsGoOfEveryDevice) {
   const contact::Surface surface = plate();
-  Rig rig = rigOn(surface, 100);
+  Rig rig = makeRig(surface, 100);
   LoopLinks links(rig.fingers.size());
   std::array<Vec3, 2> last_force;
   std::array<double, 2> largest_n{};
@@ -176,7 +176,7 @@ TEST(PacedLoop, StopsWhenAskedAndLetsGoOfEveryDevice) {
 
 TEST(PacedLoop, SaysHowManySamplesNobodyTook) {
   const contact::Surface surface = plate();
-  Rig rig = rigOn(surface, 100);
+  Rig rig = makeRig(surface, 100);
   LoopLinks links(rig.fingers.size(), 4);
   PacedSettings settings = quick();
   std::uint64_t ticks = 0;
@@ -186,7 +186,7 @@ TEST(PacedLoop, SaysHowManySamplesNobodyTook) {
 
 TEST(PacedLoop, SendsNoForceAfterTheEmergencyStop) {
   const contact::Surface surface = plate();
-  Rig rig = rigOn(surface, 100);
+  Rig rig = makeRig(surface, 100);
   LoopLinks links(rig.fingers.size());
   std::uint64_t ticks = 0;
   std::uint64_t pushed = 0;
@@ -206,7 +206,7 @@ TEST(PacedLoop, SendsNoForceAfterTheEmergencyStop) {
 
 TEST(PacedLoop, CallsAStallAFault) {
   const contact::Surface surface = plate();
-  Rig rig = rigOn(surface, 100);
+  Rig rig = makeRig(surface, 100);
   LoopLinks links(rig.fingers.size());
   bool slept = false;
   rig.fingers[0].device.read_tip = [&slept](std::uint64_t tick) {
@@ -226,7 +226,7 @@ TEST(PacedLoop, CallsAStallAFault) {
 TEST(PacedLoop, LetsTheServoThreadExchangeItsSurfaceBetweenTicks) {
   const contact::Surface surface = plate();
   const contact::Surface other = plate();
-  Rig rig = rigOn(surface, 100);
+  Rig rig = makeRig(surface, 100);
   LoopLinks links(rig.fingers.size());
   PacedSettings settings = quick();
   std::uint64_t calls = 0;
@@ -240,7 +240,7 @@ TEST(PacedLoop, LetsTheServoThreadExchangeItsSurfaceBetweenTicks) {
 
 TEST(PacedLoop, PublishesItsVitalsEveryThousandTicks) {
   const contact::Surface surface = plate();
-  Rig rig = rigOn(surface, 100);
+  Rig rig = makeRig(surface, 100);
   LoopLinks links(rig.fingers.size());
   PacedSettings settings = quick();
   settings.before_tick = [&](Rig&) {

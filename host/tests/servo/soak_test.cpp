@@ -173,7 +173,7 @@ class Soak {
   }
 
   void tick(bool trouble) {
-    if (tick_ % 500 == 0) device::tendDevices(std::vector{held_[0]->device, held_[1]->device});
+    if (tick_ % 500 == 0) device::reviveDevices(std::vector{held_[0]->device, held_[1]->device});
     for (auto& held : held_) held->mendIfOver(tick_);
     const LoopEvent event = trouble ? makeTrouble() : LoopEvent::none;
     const lab::ThreadCounts before = lab::countsOfThisThread();
@@ -320,7 +320,7 @@ TEST(Soak, ByTheClockToo) {
       bench->control().slow_us = std::fmod(now_s, 0.3) < 0.02 ? 3000 : 0;
     }
     if (now_s - tended_s > 0.5) {
-      device::tendDevices(devices);
+      device::reviveDevices(devices);
       tended_s = now_s;
     }
     drain();

@@ -123,13 +123,13 @@ TEST(TickSeries, KeepsTimeSpikesAndSumsInSoManyBuckets) {
   std::uint64_t touching = 0;
   for (std::size_t i = 0; i < series.buckets().size(); ++i) {
     const SeriesBucket& bucket = series.buckets()[i];
-    const std::uint64_t from = 500 + i * series.ticksABucket();
+    const std::uint64_t from = 500 + i * series.ticksPerBucket();
     seen += bucket.values[0].sum;
     ticks += bucket.ticks;
     touching += bucket.touching;
-    const bool has_spike = from <= 77'777 && 77'777 < from + series.ticksABucket();
+    const bool has_spike = from <= 77'777 && 77'777 < from + series.ticksPerBucket();
     EXPECT_EQ(bucket.values[0].greatest == 40.0, has_spike) << i;
-    if (from >= 40'000 && from + series.ticksABucket() <= 60'000) {
+    if (from >= 40'000 && from + series.ticksPerBucket() <= 60'000) {
       EXPECT_EQ(bucket.ticks, 0u) << i;
     }
     EXPECT_EQ(bucket.values[2].count, 0u) << "never known";

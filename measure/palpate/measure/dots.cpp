@@ -196,7 +196,7 @@ struct InkHere {
   double area = 0.0;
 };
 
-std::optional<InkHere> inkHere(const std::vector<Sample>& samples, const std::optional<Ink>& known) {
+std::optional<InkHere> estimateInk(const std::vector<Sample>& samples, const std::optional<Ink>& known) {
   if (samples.empty()) return {};
   const double hue = known ? known->hue_rad : commonestHue(samples);
   std::vector<float> peaks;
@@ -318,7 +318,7 @@ FoundDots findDots(const Photograph& picture, const std::optional<Ink>& known) {
   FoundDots found;
   if (known) found.ink = *known;
   const InkPicture ink_picture = makeInkPicture(picture);
-  const std::optional<InkHere> here = inkHere(roundSamples(ink_picture), known);
+  const std::optional<InkHere> here = estimateInk(roundSamples(ink_picture), known);
   if (!here) return found;
   found.ink = here->ink;
   const Blobs blobs = findBlobs(alongInk(ink_picture, here->ink) > kPeakShare * here->ink.peak_chroma);

@@ -193,7 +193,7 @@ measure::DotPair trueMarks(std::uint64_t seed = 7) {
 std::optional<MeasuringResult> waitFor(MeasuringWork& work) {
   const auto end = Clock::now() + std::chrono::seconds(60);
   while (work.busy() && Clock::now() < end) {
-    if (auto result = work.take()) return result;
+    if (auto result = work.collectResult()) return result;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   return std::nullopt;

@@ -46,7 +46,7 @@ double fullness(double s, double edge) {
 
 }  // namespace
 
-double youngAt(const Inclusion& lump, double radius_mm, double depth_mm, double layer_kpa) {
+double youngModulusAt(const Inclusion& lump, double radius_mm, double depth_mm, double layer_kpa) {
   if (!lump.young_kpa) return layer_kpa;
   const double s = std::hypot(radius_mm / lump.across_mm, (depth_mm - lump.centreMm()) / lump.into_mm);
   return layer_kpa + (*lump.young_kpa - layer_kpa) * fullness(s, lump.edge);

@@ -23,7 +23,7 @@ struct Inclusion {
 };
 
 /// kPa at a place at rest, in a layer of this modulus.
-double youngAt(const Inclusion& lump, double radius_mm, double depth_mm, double layer_kpa);
+double youngModulusAt(const Inclusion& lump, double radius_mm, double depth_mm, double layer_kpa);
 
 /// Throws Error where it does not lie between the skin's surface and the base.
 void check(const Inclusion& lump, const tissue::LayerStack& stack);

@@ -43,7 +43,7 @@ std::vector<scene::SolvedPush> solveLump(const tissue::LumpShape& lump, const ti
   tissue::check(lump, stack);
   PressSettings settings = pressBeside(lump, stack);
   const PressSolution without = solvePress(stack, settings);
-  settings.lump->young_kpa = tissue::youngOf(lump, stack);
+  settings.lump->young_kpa = tissue::youngModulus(lump, stack);
   const PressSolution with = solvePress(stack, settings);
   std::vector<scene::SolvedPush> pushes;
   const std::size_t count =

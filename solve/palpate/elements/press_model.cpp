@@ -30,7 +30,7 @@ void PressModel::hardenLump(const tissue::LayerStack& stack, const Inclusion& lu
     QuadLaws laws;
     bool inside = false;
     for (std::size_t q = 0; q < kQuadPoints; ++q) {
-      const double young = youngAt(lump, places[q][0], mesh_.height() - places[q][1], layer_kpa);
+      const double young = youngModulusAt(lump, places[q][0], mesh_.height() - places[q][1], layer_kpa);
       laws[q] = neoHookean(young, stack.poisson);
       inside = inside || young != layer_kpa;
     }

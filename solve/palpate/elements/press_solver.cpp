@@ -30,7 +30,7 @@ class PressPath {
   const std::string& trouble() const { return trouble_; }
 
   /// One step towards a depth; false: it went no further, see trouble().
-  bool goTowards(double target_mm) {
+  bool stepTowards(double target_mm) {
     while (true) {
       const double depth = nextDepth(target_mm);
       Equilibrium found = settle(model_, extrapolated(depth), depth, {});
@@ -282,7 +282,7 @@ PressSolution solvePress(const tissue::LayerStack& stack, const PressSettings& s
       report(progress, "pressing", path.depth() / depths.back());
       if (stop && stop()) {
         solution.stopped_by = "asked to stop";
-      } else if (!path.goTowards(target)) {
+      } else if (!path.stepTowards(target)) {
         solution.stopped_by = path.trouble();
       }
     }

@@ -40,7 +40,7 @@ using ExtensionHandle = std::unique_ptr<X509_EXTENSION, Releases<X509_EXTENSION_
   ERR_error_string_n(ERR_get_error(), reason.data(), reason.size());
   throw Error(fmt::format("certificate: {} failed: {}", what, reason.data()));
 }
-void mustBe(bool done, const char* what) {
+void requireSuccess(bool done, const char* what) {
   if (!done) refuseCertificate(what);
 }
 
@@ -51,25 +51,25 @@ std::string textIn(BIO* bio) {
 }
 std::string toPem(X509* certificate) {
   const BioHandle bio(BIO_new(BIO_s_mem()));
-  mustBe(bio && PEM_write_bio_X509(bio.get(), certificate) == 1, "writing it");
+  requireSuccess(bio && PEM_write_bio_X509(bio.get(), certificate) == 1, "writing it");
   return textIn(bio.get());
 }
 std::string toPem(EVP_PKEY* key) {
   const BioHandle bio(BIO_new(BIO_s_mem()));
-  mustBe(bio && PEM_write_bio_PrivateKey(bio.get(), key, nullptr, nullptr, 0, nullptr, nullptr) == 1,
-         "writing its key");
+  requireSuccess(bio && PEM_write_bio_PrivateKey(bio.get(), key, nullptr, nullptr, 0, nullptr, nullptr) == 1,
+                 "writing its key");
   return textIn(bio.get());
 }
 CertificateHandle certificateFrom(const std::string& pem) {
   const BioHandle bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
   CertificateHandle certificate(PEM_read_bio_X509(bio.get(), nullptr, nullptr, nullptr));
-  mustBe(certificate != nullptr, "reading it");
+  requireSuccess(certificate != nullptr, "reading it");
   return certificate;
 }
 KeyHandle keyFrom(const std::string& pem) {
   const BioHandle bio(BIO_new_mem_buf(pem.data(), static_cast<int>(pem.size())));
   KeyHandle key(PEM_read_bio_PrivateKey(bio.get(), nullptr, nullptr, nullptr));
-  mustBe(key != nullptr, "reading its key");
+  requireSuccess(key != nullptr, "reading its key");
   return key;
 }
 
@@ -77,7 +77,7 @@ constexpr long kDayS = 86400;
 
 TimeHandle timeIn(int days) {
   TimeHandle time(X509_gmtime_adj(nullptr, days * kDayS));
-  mustBe(time != nullptr, "dating it");
+  requireSuccess(time != nullptr, "dating it");
   return time;
 }
 
@@ -85,35 +85,35 @@ TimeHandle timeIn(int days) {
 class Draft {
  public:
   Draft(const std::string& name, int days) : key_(EVP_EC_gen("P-256")), certificate_(X509_new()) {
-    mustBe(key_ && certificate_, "making its key");
+    requireSuccess(key_ && certificate_, "making its key");
     X509* x = certificate_.get();
     X509_set_version(x, X509_VERSION_3);
     const NumberHandle serial(BN_new());
     constexpr int kSerialBits = 127;  // positive, and never the same twice
-    mustBe(serial && BN_rand(serial.get(), kSerialBits, BN_RAND_TOP_ONE, BN_RAND_BOTTOM_ANY) == 1 &&
-               BN_to_ASN1_INTEGER(serial.get(), X509_get_serialNumber(x)) != nullptr,
-           "drawing its number");
+    requireSuccess(serial && BN_rand(serial.get(), kSerialBits, BN_RAND_TOP_ONE, BN_RAND_BOTTOM_ANY) == 1 &&
+                       BN_to_ASN1_INTEGER(serial.get(), X509_get_serialNumber(x)) != nullptr,
+                   "drawing its number");
     X509_gmtime_adj(X509_getm_notBefore(x), -kDayS);  // clocks of a class differ
     X509_gmtime_adj(X509_getm_notAfter(x), days * kDayS);
     X509_set_pubkey(x, key_.get());
-    mustBe(X509_NAME_add_entry_by_txt(X509_get_subject_name(x), "CN", MBSTRING_UTF8,
-                                      reinterpret_cast<const unsigned char*>(name.data()),
-                                      static_cast<int>(name.size()), -1, 0) == 1,
-           "naming it");
+    requireSuccess(X509_NAME_add_entry_by_txt(X509_get_subject_name(x), "CN", MBSTRING_UTF8,
+                                              reinterpret_cast<const unsigned char*>(name.data()),
+                                              static_cast<int>(name.size()), -1, 0) == 1,
+                   "naming it");
   }
 
   void extend(int kind, const std::string& value, X509* issuer) {
     X509V3_CTX context;
     X509V3_set_ctx(&context, issuer == nullptr ? certificate_.get() : issuer, certificate_.get(), nullptr, nullptr, 0);
     const ExtensionHandle extension(X509V3_EXT_conf_nid(nullptr, &context, kind, value.c_str()));
-    mustBe(extension && X509_add_ext(certificate_.get(), extension.get(), -1) == 1, "extending it");
+    requireSuccess(extension && X509_add_ext(certificate_.get(), extension.get(), -1) == 1, "extending it");
   }
 
   /// Self-signed without an issuer.
   Certified signedBy(X509* issuer, EVP_PKEY* issuer_key) {
     X509* x = certificate_.get();
     X509_set_issuer_name(x, X509_get_subject_name(issuer == nullptr ? x : issuer));
-    mustBe(X509_sign(x, issuer_key == nullptr ? key_.get() : issuer_key, EVP_sha256()) > 0, "signing it");
+    requireSuccess(X509_sign(x, issuer_key == nullptr ? key_.get() : issuer_key, EVP_sha256()) > 0, "signing it");
     return {toPem(x), toPem(key_.get())};
   }
 
@@ -187,34 +187,34 @@ std::vector<std::string> certificateHosts(const std::string& certificate) {
 std::string makeRevocationList(const Certified& authority, const std::vector<std::string>& certificates) {
   const CertificateHandle issuer = certificateFrom(authority.certificate);
   const ListHandle list(X509_CRL_new());
-  mustBe(list && X509_CRL_set_version(list.get(), X509_CRL_VERSION_2) == 1 &&
-             X509_CRL_set_issuer_name(list.get(), X509_get_subject_name(issuer.get())) == 1 &&
-             X509_CRL_set1_lastUpdate(list.get(), timeIn(-1).get()) == 1 &&  // clocks of a class differ
-             X509_CRL_set1_nextUpdate(list.get(), timeIn(kAuthorityDays).get()) == 1,
-         "listing what is revoked");
+  requireSuccess(list && X509_CRL_set_version(list.get(), X509_CRL_VERSION_2) == 1 &&
+                     X509_CRL_set_issuer_name(list.get(), X509_get_subject_name(issuer.get())) == 1 &&
+                     X509_CRL_set1_lastUpdate(list.get(), timeIn(-1).get()) == 1 &&  // clocks of a class differ
+                     X509_CRL_set1_nextUpdate(list.get(), timeIn(kAuthorityDays).get()) == 1,
+                 "listing what is revoked");
   for (const std::string& certificate : certificates) {
     RevokedHandle revoked(X509_REVOKED_new());
-    mustBe(revoked &&
-               X509_REVOKED_set_serialNumber(revoked.get(),
-                                             X509_get_serialNumber(certificateFrom(certificate).get())) == 1 &&
-               X509_REVOKED_set_revocationDate(revoked.get(), timeIn(0).get()) == 1 &&
-               X509_CRL_add0_revoked(list.get(), revoked.get()) == 1,
-           "revoking it");
+    requireSuccess(revoked &&
+                       X509_REVOKED_set_serialNumber(revoked.get(),
+                                                     X509_get_serialNumber(certificateFrom(certificate).get())) == 1 &&
+                       X509_REVOKED_set_revocationDate(revoked.get(), timeIn(0).get()) == 1 &&
+                       X509_CRL_add0_revoked(list.get(), revoked.get()) == 1,
+                   "revoking it");
     static_cast<void>(revoked.release());  // the list's now
   }
   const KeyHandle issuer_key = keyFrom(authority.key);
   const BioHandle bio(BIO_new(BIO_s_mem()));
-  mustBe(X509_CRL_sort(list.get()) == 1 && X509_CRL_sign(list.get(), issuer_key.get(), EVP_sha256()) > 0 && bio &&
-             PEM_write_bio_X509_CRL(bio.get(), list.get()) == 1,
-         "signing the list");
+  requireSuccess(X509_CRL_sort(list.get()) == 1 && X509_CRL_sign(list.get(), issuer_key.get(), EVP_sha256()) > 0 &&
+                     bio && PEM_write_bio_X509_CRL(bio.get(), list.get()) == 1,
+                 "signing the list");
   return textIn(bio.get());
 }
 
 int daysLeft(const std::string& certificate) {
   int days = 0;
   int seconds = 0;
-  mustBe(ASN1_TIME_diff(&days, &seconds, nullptr, X509_get0_notAfter(certificateFrom(certificate).get())) == 1,
-         "reading its time");
+  requireSuccess(ASN1_TIME_diff(&days, &seconds, nullptr, X509_get0_notAfter(certificateFrom(certificate).get())) == 1,
+                 "reading its time");
   return seconds < 0 ? days - 1 : days;
 }
 

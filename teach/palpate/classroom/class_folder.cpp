@@ -126,7 +126,7 @@ std::vector<int> findInstructorNumbers(const ClassFolder& folder) {
 std::string numberedStation(int number) { return fmt::format("s{:02d}", number); }
 
 /// The user who runs the broker: started as root it would else become a user who may not read the keys.
-std::string userNow() {
+std::string effectiveUserName() {
   const passwd* entry = getpwuid(geteuid());
   return entry == nullptr ? "root" : entry->pw_name;
 }
@@ -167,7 +167,7 @@ std::string brokerConfiguration(const ClassFolder& folder) {
       "log_type error\n"
       "log_type warning\n"
       "log_type notice\n",
-      folder.class_id, at, folder.port, userNow(),
+      folder.class_id, at, folder.port, effectiveUserName(),
       fs::exists(folder.revocationList()) ? fmt::format("# Stations that were removed.\ncrlfile {}/revoked.crl\n", at)
                                           : "");
 }

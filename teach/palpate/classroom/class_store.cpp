@@ -16,7 +16,7 @@ ClassStore::ClassStore(std::string connection, KeeperRules rules)
 
 void ClassStore::reconnect() {
   sql_.connect();
-  training::bringForward(sql_, "the class's database");
+  training::migrateSchema(sql_, "the class's database");
 }
 
 /// Deleted rows stay in the server's files until a table is written again. Seconds, for a class. A role that does not
@@ -58,7 +58,7 @@ bool ClassStore::erase(const training::Uuid& trainee, std::string_view actor) {
 training::Purged ClassStore::purge(std::int64_t now_ms) {
   training::Purged purged;
   training::SqlTransaction transaction(sql_);
-  for (const training::KeptLongEnough& of : training::keptLongEnough(tables_, now_ms)) {
+  for (const training::KeptLongEnough& of : training::findExpired(tables_, now_ms)) {
     for (const SessionRow& session : of.sessions) sql_.change("DELETE FROM session WHERE id = $1", {session.id});
     purged.sessions += static_cast<int>(of.sessions.size());
     if (of.nothing_left) purged.trainees += tables_.erase(of.trainee.id) ? 1 : 0;

@@ -40,7 +40,7 @@ class ClassStore {
   /// Deletes the trainee, everything of theirs, and whatever of theirs still arrives. Returns false if unknown.
   bool erase(const training::Uuid& trainee, std::string_view actor);
 
-  /// Deletes what the class has kept for long enough (training::keptLongEnough), in one transaction. Trainees are not
+  /// Deletes what the class has kept for long enough (training::findExpired), in one transaction. Trainees are not
   /// marked as deleted: they may come back.
   training::Purged purge(std::int64_t now_ms);
 

@@ -230,7 +230,7 @@ struct Collector::Impl {
         continue;
       told_at[station] = now;
       const auto sent = std::ranges::find(batch.rows, station, &SentRow::station);
-      answer(sent->name, hearTexts(nextEnvelope(station), marks));
+      answer(sent->name, deletionNoticeTexts(nextEnvelope(station), marks));
     }
   }
   template <class Refused>

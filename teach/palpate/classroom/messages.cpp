@@ -392,7 +392,7 @@ std::vector<std::string> refusalTexts(const Envelope& envelope, const std::vecto
   return listTexts(head, "refused", keys, kKeysInAck);
 }
 
-std::vector<std::string> hearTexts(const Envelope& envelope, const std::vector<std::string>& marks) {
+std::vector<std::string> deletionNoticeTexts(const Envelope& envelope, const std::vector<std::string>& marks) {
   return listTexts(enveloped(envelope), "deleted", marks, kMarksInMessage);
 }
 
@@ -412,7 +412,7 @@ std::optional<Refusal> parseRefusal(std::string_view text) {
   return reader.good() ? std::optional(std::move(refusal)) : std::nullopt;
 }
 
-std::optional<std::vector<std::string>> parseHear(std::string_view text) {
+std::optional<std::vector<std::string>> parseDeletionNotice(std::string_view text) {
   MessageReader reader(text, kMaxMessageBytes);
   reader.envelope();
   std::vector<std::string> marks = reader.list("deleted", training::isHash);

@@ -127,7 +127,7 @@ std::vector<std::string> ackTexts(const Envelope& envelope, const std::vector<tr
 std::vector<std::string> refusalTexts(const Envelope& envelope, const std::vector<training::Uuid>& keys,
                                       const std::string& why);
 /// On the topic of acknowledgements too: trainees who were deleted for every station (training::deletedMark).
-std::vector<std::string> hearTexts(const Envelope& envelope, const std::vector<std::string>& marks);
+std::vector<std::string> deletionNoticeTexts(const Envelope& envelope, const std::vector<std::string>& marks);
 
 // Readers return nothing for a text that is not such a message.
 std::optional<Message<StationStatus>> parseStatus(std::string_view text);
@@ -141,7 +141,7 @@ struct Refusal {
   std::string why;
 };
 std::optional<Refusal> parseRefusal(std::string_view text);
-std::optional<std::vector<std::string>> parseHear(std::string_view text);
+std::optional<std::vector<std::string>> parseDeletionNotice(std::string_view text);
 
 }  // namespace palpate::classroom
 

@@ -87,7 +87,7 @@ struct StationLink::Impl {
         acknowledged.insert(acknowledged.end(), keys->begin(), keys->end());
       } else if (auto refusal = parseRefusal(what)) {
         refusals.push_back(std::move(*refusal));
-      } else if (const auto marks = parseHear(what)) {
+      } else if (const auto marks = parseDeletionNotice(what)) {
         notices.insert(notices.end(), marks->begin(), marks->end());
       }
       if (refusals.size() > kMaxAnswers || notices.size() > kMaxAnswers)
@@ -162,7 +162,7 @@ struct StationLink::Impl {
     work([&] {
       own.acknowledged(keys);
       for (const Refusal& refusal : not_kept) own.refused(refusal.keys, refusal.why);
-      if (!marks.empty()) own.hearDeleted(marks);
+      if (!marks.empty()) own.applyDeletionNotice(marks);
       refused_count = own.refusedCount();
     });
     sender.acknowledged();

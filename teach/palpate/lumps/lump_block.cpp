@@ -26,7 +26,7 @@ constexpr int kFirstTurns = 2;
 constexpr std::size_t kDrawnFrom = 3;
 
 /// A stream of its own for each body, whatever was drawn before.
-Random streamOfBody(std::uint64_t seed, std::uint64_t body) {
+Random bodyRandomStream(std::uint64_t seed, std::uint64_t body) {
   Random mixed(seed ^ (body * 0xd1342543de82ef95ull));
   return Random(mixed.bits());
 }
@@ -204,7 +204,7 @@ void LumpBlock::draw() {
   trials_.push_back(std::move(trial));
 }
 
-const std::vector<double>& LumpBlock::lnCueOfKinds() {
+const std::vector<double>& LumpBlock::logCuesByKind() {
   if (!ln_cue_of_kinds_.empty()) return ln_cue_of_kinds_;
   for (int kind = 0; kind < kKinds; ++kind) {
     HiddenLump lump = ofKind(kind);
@@ -234,13 +234,13 @@ double LumpBlock::aimedLnCue() const {
 }
 
 void LumpBlock::drawPractice(LumpTrial& trial, std::uint64_t number) {
-  Random random = streamOfBody(seed_, number);
+  Random random = bodyRandomStream(seed_, number);
   const bool empty = random.uniform() < settings_.task.empty_share;
   const Vec2 place = settings_.places[random.below(settings_.places.size())];
   const bool mobile = random.uniform() < settings_.task.mobile_share;
   const std::uint64_t which = random.below(kDrawnFrom);
   if (empty) return;
-  const std::vector<double>& plain = lnCueOfKinds();
+  const std::vector<double>& plain = logCuesByKind();
   const auto [least, most] = std::ranges::minmax(plain);
   const double aim = std::clamp(aimedLnCue(), least, most);
   std::vector<int> kinds(kKinds);
@@ -256,12 +256,12 @@ void LumpBlock::drawPractice(LumpTrial& trial, std::uint64_t number) {
 /// The number of a body sets which of three ways sizes go with hardnesses and which of two with depths; the order of
 /// the bodies is drawn.
 void LumpBlock::drawExam(LumpTrial& trial) {
-  Random order = streamOfBody(seed_, 0);
+  Random order = bodyRandomStream(seed_, 0);
   std::vector<int> bodies(kExamBodies);
   for (int i = 0; i < kExamBodies; ++i) bodies[static_cast<std::size_t>(i)] = i;
   shuffle(bodies, order);
   const int body = bodies[trials_.size()];
-  Random random = streamOfBody(seed_, trials_.size() + 1);
+  Random random = bodyRandomStream(seed_, trials_.size() + 1);
   const std::vector<Vec2> places = placesApart(settings_.places, kExamLumpsOfBody, random);
   for (int size = 0; size < kExamLumpsOfBody; ++size) {
     const bool deep = (size + body / kGrades) % 2 != 0;

@@ -134,7 +134,7 @@ class LumpBlock {
   void drawPractice(LumpTrial& trial, std::uint64_t number);
   void drawExam(LumpTrial& trial);
   double aimedLnCue() const;
-  const std::vector<double>& lnCueOfKinds();
+  const std::vector<double>& logCuesByKind();
 
   LumpBlockSettings settings_;
   std::uint64_t seed_ = 1;

@@ -168,7 +168,7 @@ struct Block::Impl {
   /// Only felt places inform: a trainee who felt one place alone had nothing to compare it with.
   static bool counts(const TrialOutcome& outcome) { return outcome.target_visited && outcome.visited >= 2; }
 
-  void take(const TrialOutcome& outcome) {
+  void addOutcome(const TrialOutcome& outcome) {
     state.outcomes.push_back(outcome);
     if (planned.kind != TrialKind::warm_up) measure(outcome);
     over = isOver();
@@ -189,7 +189,7 @@ struct Block::Impl {
     if (mastery) mastery->answer(outcome.correct);
   }
 
-  /// Excluded trials take time too: they count towards the most, not towards the least.
+  /// Excluded trials cost time too: they count towards the most, not towards the least.
   bool isOver() const {
     const StopRule& stop = settings.stop;
     if (given >= stop.most) return true;
@@ -238,7 +238,7 @@ const PlannedTrial& Block::next() const { return impl_->planned; }
 
 void Block::answer(const TrialOutcome& outcome) {
   require(!impl_->over, "it is over, nothing more can be answered");
-  impl_->take(outcome);
+  impl_->addOutcome(outcome);
 }
 
 BlockResult Block::result() const {

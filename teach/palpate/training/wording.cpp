@@ -105,13 +105,13 @@ std::string familiarisation(const Site& stiffer, const Site& normal) {
 
 std::string feelBoth() { return tr("Press both places first, one after the other."); }
 
-std::string whichIsStiffer() { return tr("Which of the two is stiffer now? Press both, then answer."); }
+std::string stifferQuestion() { return tr("Which of the two is stiffer now? Press both, then answer."); }
 
-std::string familiarAgain(const Site& stiffer) {
+std::string familiarFeedback(const Site& stiffer) {
   return trf("It was {}. Feel both again, then press Next.", spoken(stiffer));
 }
 
-std::string yourAnswerWas(const Site& site) { return trf("Your answer was {}. Feel both places.", spoken(site)); }
+std::string wrongAnswerReview(const Site& site) { return trf("Your answer was {}. Feel both places.", spoken(site)); }
 
 std::string rightAnswer(const Site& site) { return trf("Correct. {}.", withCapital(spoken(site))); }
 
@@ -128,7 +128,7 @@ std::string deviceCheck(bool works) {
   return works ? tr("Your device works. Press Next.") : tr("Touch the back once, anywhere.");
 }
 
-std::string breakOffered() { return tr("You may take a break: press Pause."); }
+std::string breakOfferText() { return tr("You may take a break: press Pause."); }
 
 std::string pausedNotice() { return tr("Paused. Nothing counts until you go on."); }
 

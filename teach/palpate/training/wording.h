@@ -20,14 +20,14 @@ std::string instruction(const Protocol& protocol,
 std::string familiarisation(const Site& stiffer,
                             const Site& normal);  ///< "Site 4, left, is much stiffer. Site 10, right, is normal."
 std::string feelBoth();                           ///< "Press both places first."
-std::string whichIsStiffer();
-std::string familiarAgain(const Site& stiffer);  ///< "It was site 4, left. Feel both again."
-std::string yourAnswerWas(const Site& site);     ///< "Your answer was site 4, left. Feel both places."
-std::string rightAnswer(const Site& site);       ///< "Correct. Site 4, left."
-std::string wrongAnswer(const Site& site);       ///< "It was site 9, right. Feel it now; press Next when ready."
+std::string stifferQuestion();
+std::string familiarFeedback(const Site& stiffer);  ///< "It was site 4, left. Feel both again."
+std::string wrongAnswerReview(const Site& site);    ///< "Your answer was site 4, left. Feel both places."
+std::string rightAnswer(const Site& site);          ///< "Correct. Site 4, left."
+std::string wrongAnswer(const Site& site);          ///< "It was site 9, right. Feel it now; press Next when ready."
 std::string timeIsUp(bool feedback, const Site& site);
 std::string deviceCheck(bool works);  ///< "Touch the back once, anywhere."
-std::string breakOffered();
+std::string breakOfferText();
 std::string pausedNotice();
 std::string goodbye(bool unfinished);
 std::string answerSaved();               ///< tests

@@ -35,7 +35,7 @@ class RowKeeperTest : public testing::TestWithParam<bool> {
       sql_ = std::make_unique<PostgresSql>(server_->connection("keeper"));
       sql_->connect();
       sql_->run("DROP SCHEMA public CASCADE; CREATE SCHEMA public");
-      training::bringForward(*sql_, "keeper");
+      training::migrateSchema(*sql_, "keeper");
       tables_ = std::make_unique<training::RowTables>(*sql_);
     } else {
       store_ = std::make_unique<training::Store>(training::Store::inMemory("keeper"));

@@ -325,7 +325,7 @@ TEST_F(TrainingDoor, GoesStraightToWhatWasAskedFor) {
   agree(door);
   EXPECT_EQ(door.consumeChoice(), SessionKind::exam);
   EXPECT_EQ(door.consumeChoice(), std::nullopt);
-  door.comeBack();
+  door.returnToChoice();
   EXPECT_EQ(door.stage(), TrainingStage::choice);
 }
 

@@ -199,8 +199,8 @@ TEST(RecordsStore, ADeletionThatWasHeardOfStandsBetweenWhatWasAndWhatComes) {
   Store& store = records.store;
   const TraineeRow who = records.history.trainees[0];
   const std::vector<std::string> marks = {deletedMark(who.id)};
-  store.hearDeleted(marks);
-  store.hearDeleted(marks);
+  store.applyDeletionNotice(marks);
+  store.applyDeletionNotice(marks);
   store.save(who);
   std::vector<std::string> kinds;
   for (const OutboxEntry& entry : store.waiting(100)) kinds.push_back(entry.kind);

@@ -346,7 +346,7 @@ def hosts(room):
 
 
 @lab.attack("serve-strange-name", "network",
-            [lab.Mend(VISIT, "    if (comesFromAfar()) {\n", "    if (hall_.port < 0) {\n")], seconds=30)
+            [lab.Mend(VISIT, "    if (isCrossOrigin()) {\n", "    if (hall_.port < 0) {\n")], seconds=30)
 def strange_name(room):
     """A page under a name that leads here (DNS rebinding), which has the token from somewhere, to read the skin."""
     port = start_serve(room)["port"]

@@ -128,7 +128,7 @@ void DeviceControl::open(std::size_t finger, const std::string& words, ViewerSta
 }
 
 void DeviceControl::adoptOpened(std::size_t finger, ViewerState& viewer, const scene::World& world) {
-  auto opened = opening_[finger].take();
+  auto opened = opening_[finger].collectResult();
   if (!opened) return;
   const std::string words = std::exchange(viewer.devices.fingers[finger].opening, {});
   if (!opened->value)
@@ -235,9 +235,9 @@ void DeviceControl::reportTrouble(std::size_t finger, std::string trouble, Viewe
   if (!is.empty() && was.empty()) viewer.report(Severity::warning, is);
 }
 
-/// Once a second, on its own thread: the search for a lost device may take its driver a moment.
+/// Once a second, on its own thread: the search for a lost device may keep its driver busy.
 void DeviceControl::tend(ViewerState& viewer) {
-  if (const auto troubles = tending_.take(); troubles && troubles->value) {
+  if (const auto troubles = tending_.collectResult(); troubles && troubles->value) {
     for (std::size_t i = 0; i < kFingers; ++i) reportTrouble(i, (*troubles->value)[i], viewer);
   }
   if (viewer.now_s < tended_s_ + kTendedEveryS || !servo_.anyHeld()) return;
@@ -248,7 +248,7 @@ void DeviceControl::tend(ViewerState& viewer) {
   const auto look = [devices] {
     std::array<std::string, kFingers> troubles;
     for (std::size_t i = 0; i < kFingers; ++i) {
-      const std::vector<std::string> trouble = device::tendDevices(std::span(&devices[i], 1));
+      const std::vector<std::string> trouble = device::reviveDevices(std::span(&devices[i], 1));
       if (!trouble.empty()) troubles[i] = trouble.front();
     }
     return troubles;
@@ -279,7 +279,7 @@ void DeviceControl::readState(std::size_t finger, ViewerState& viewer) {
 
 void DeviceControl::advance(ViewerState& viewer, const scene::World& world) {
   DevicesShown& shown = viewer.devices;
-  if (auto looked = looking_.take()) {
+  if (auto looked = looking_.collectResult()) {
     shown.looking = false;
     const bool first = shown.back_ends.empty();
     if (looked->value) shown.back_ends = std::move(*looked->value);
@@ -300,7 +300,7 @@ void DeviceControl::advance(ViewerState& viewer, const scene::World& world) {
   if (pressed && !shown.stopped) viewer.messages.note(kStopped, viewer.now_s);
   shown.stopped = pressed;
   if (closing_.busy()) {
-    closing_.take();
+    closing_.collectResult();
     return;
   }
   if (auto leaving = servo_.collectReleased(); !leaving.empty()) {

@@ -183,7 +183,7 @@ std::optional<engine::BuildProgress> ReplayLoader::progress() const {
   return now;
 }
 
-std::optional<ReplayLoader::Result> ReplayLoader::take() {
+std::optional<ReplayLoader::Result> ReplayLoader::collectResult() {
   if (!work_ || !work_->done()) return std::nullopt;
   work_->join();
   work_.reset();

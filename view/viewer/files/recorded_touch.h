@@ -63,7 +63,7 @@ class ReplayLoader {
     std::string error;
   };
   /// Returns the result once.
-  std::optional<Result> take();
+  std::optional<Result> collectResult();
 
  private:
   void note(std::string_view stage, double done);

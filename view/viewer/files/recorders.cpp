@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMaxWaiting = 16;
 
 /// Whether the finger was not put on the body yet.
-bool isNowhere(const Vec3& tip) { return tip.z() > 0.5 * device::kNowhere.z(); }
+bool isOffBody(const Vec3& tip) { return tip.z() > 0.5 * device::kNowhere.z(); }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void ForceRecorder::start(const std::filesystem::path& file, double ticks_per_s)
 void ForceRecorder::add(const trace::Sample& sample) {
   if (!writer_) return;
   if (!first_tick_) first_tick_ = sample.tick;
-  if (isNowhere(sample.contact.tip)) return;
+  if (isOffBody(sample.contact.tip)) return;
   trace::Sample shifted = sample;  // a recording begins at time 0
   shifted.tick -= *first_tick_;
   writer_->add(shifted);

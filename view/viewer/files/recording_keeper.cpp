@@ -124,7 +124,7 @@ void RecordingKeeper::end(ViewerState& viewer, std::string_view ended_by) {
 }
 
 void RecordingKeeper::advance(ViewerState& viewer) {
-  if (const auto finished = tidying_.take(); finished && finished->value) {
+  if (const auto finished = tidying_.collectResult(); finished && finished->value) {
     for (const fs::path& file : *finished->value) {
       viewer.messages.note(trf("An interrupted run was saved as {} (File > Open)", file.string()), viewer.now_s);
     }

@@ -65,7 +65,7 @@ class Mode {
   /// Once, before the first frame. Throws Error if the mode cannot work with this world.
   virtual void begin(ViewerState& /*viewer*/, const scene::World& /*world*/, window::Gui& /*gui*/) {}
   /// The servo has adopted a world.
-  virtual void worldCame(const scene::World& /*world*/) {}
+  virtual void handleNewWorld(const scene::World& /*world*/) {}
   /// Every tick of every finger.
   virtual void feel(const trace::Sample& /*sample*/) {}
   /// The part of the body that the standard views show (default: all of it).

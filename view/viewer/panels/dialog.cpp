@@ -7,7 +7,7 @@
 
 namespace palpate::viewer {
 
-bool placeModal(const char* title, bool open) {
+bool openCentredModal(const char* title, bool open) {
   const bool shown = ImGui::IsPopupOpen(title);
   if (!open && !shown) return false;
   if (!shown) ImGui::OpenPopup(title);
@@ -18,7 +18,7 @@ bool placeModal(const char* title, bool open) {
 
 bool beginDialog(const char* english, bool& open) {
   const char* title = tr(english);
-  if (!placeModal(title, open)) return false;
+  if (!openCentredModal(title, open)) return false;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowSize({std::min(560.0f, size.x - 40.0f), 0.0f});
   ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {size.x, size.y - 30.0f});

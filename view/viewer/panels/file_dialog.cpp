@@ -167,7 +167,7 @@ std::vector<fs::path> newestFirst(Kinds kinds) {
 
 }  // namespace
 
-std::vector<fs::path> newestHere() {
+std::vector<fs::path> newestFilesInFolder() {
   constexpr std::array<std::string_view, 7> kKinds = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".session"};
   constexpr std::size_t kFew = 4;
   std::vector<fs::path> files = newestFirst(kKinds);
@@ -175,7 +175,7 @@ std::vector<fs::path> newestHere() {
   return files;
 }
 
-std::vector<fs::path> photographsHere() { return newestFirst(kPhotographKinds); }
+std::vector<fs::path> photographsInFolder() { return newestFirst(kPhotographKinds); }
 
 namespace {
 

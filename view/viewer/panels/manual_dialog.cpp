@@ -90,7 +90,7 @@ void pageShown(ManualShown& manual) {
 
 void manualDialog(ManualShown& manual, bool& open) {
   const char* const title = tr("Manual");
-  if (!placeModal(title, open)) return;
+  if (!openCentredModal(title, open)) return;
   const ImVec2 room = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowSize({std::min(kWidestManual, room.x - kManualMargin), room.y - kManualMargin});
   constexpr auto kFlags = ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |

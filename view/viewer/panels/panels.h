@@ -187,9 +187,9 @@ std::string drawBlocks(const std::vector<Block>& blocks, const std::string& to_a
 void showFolder(const std::filesystem::path& folder);
 /// A few bodies and recordings in that folder, the newest first; reads the folder again. Scenes and tables are left
 /// out: every second .toml and .csv of a computer is something else.
-std::vector<std::filesystem::path> newestHere();
+std::vector<std::filesystem::path> newestFilesInFolder();
 /// All photographs in that folder, the newest first.
-std::vector<std::filesystem::path> photographsHere();
+std::vector<std::filesystem::path> photographsInFolder();
 /// Whether a dialog is open in the current gui: it owns mouse and keyboard.
 bool dialogShown();
 /// Closes the menus and lists that are open over the body or over a dialog. False without any.

@@ -13,7 +13,7 @@ namespace palpate::viewer {
 void PreviewPane::choose(const std::filesystem::path& file) { chosen_ = file; }
 
 void PreviewPane::follow() {
-  if (auto result = work_.take()) {
+  if (auto result = work_.collectResult()) {
     of_ = working_on_;
     preview_ = result->value ? std::move(*result->value) : FilePreview{result->error, {}, {}};
     picture_.reset();

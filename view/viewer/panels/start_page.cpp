@@ -136,9 +136,9 @@ void recentFiles(const StartPage& page, bool& open, UiOutput& output) {
 }
 
 /// Files in the working folder, except recent ones. Read when the page appears.
-void filesHere(const StartPage& page, bool& open, UiOutput& output) {
+void drawFolderFiles(const StartPage& page, bool& open, UiOutput& output) {
   static std::vector<std::filesystem::path> here;  // used on the display's thread, like ImGui's own state
-  if (ImGui::IsWindowAppearing()) here = newestHere();
+  if (ImGui::IsWindowAppearing()) here = newestFilesInFolder();
   bool titled = false;
   for (const std::filesystem::path& file : here) {
     if (std::ranges::find(page.recent, file.string()) != page.recent.end()) continue;
@@ -224,7 +224,7 @@ view::GlId ExamplePictures::of(std::string_view preset) {
 
 void startPage(const StartPage& page, bool& open, UiOutput& output) {
   constexpr const char* kName = "start";
-  if (!placeModal(kName, open)) return;
+  if (!openCentredModal(kName, open)) return;
   const ImVec2 room = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowSize({std::min(kMaxWidth, room.x - kMargin), std::min(kMaxHeight, room.y - kMargin)});
   if (!ImGui::BeginPopupModal(kName, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove)) return;
@@ -233,7 +233,7 @@ void startPage(const StartPage& page, bool& open, UiOutput& output) {
     heading();
     choices(page, open, output);
     recentFiles(page, open, output);
-    filesHere(page, open, output);
+    drawFolderFiles(page, open, output);
     footer(page, open);
   }
   ImGui::EndChild();

@@ -77,7 +77,7 @@ bool stopButton(const char* path, const char* label, bool wide, const char* mean
 // A dialog in the middle of the window, which owns mouse and keyboard until it is closed: by its buttons, Enter or Esc.
 
 /// In the middle of the window, for ImGui::BeginPopupModal of this title; false where none is open.
-bool placeModal(const char* title, bool open);
+bool openCentredModal(const char* title, bool open);
 /// `open` is the caller's and is reset when it closes. Call endDialog if it returns true.
 bool beginDialog(const char* title, bool& open);
 void endDialog(bool& open);

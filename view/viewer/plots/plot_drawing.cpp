@@ -78,7 +78,7 @@ constexpr LegendEntry kLegendEntries[] = {
 
 /// Calls `draw(entry, x, line)` for each entry in its place, line below line; returns the number of lines.
 template <class Draw>
-int layLegend(float width, bool both_fingers, const Draw& draw) {
+int layOutLegend(float width, bool both_fingers, const Draw& draw) {
   constexpr float kEntryGap = 14.0f;
   float x = 0.0f;
   int line = 0;
@@ -177,11 +177,11 @@ void drawPlotLimit(const PlotArea& area, double limit, double end) {
 }
 
 int plotLegendLines(float width, bool both_fingers) {
-  return layLegend(width, both_fingers, [](const LegendEntry&, float, int) {});
+  return layOutLegend(width, both_fingers, [](const LegendEntry&, float, int) {});
 }
 
 void drawPlotLegend(const ImVec2& corner, float width, bool both_fingers) {
-  layLegend(width, both_fingers, [&](const LegendEntry& entry, float x, int line) {
+  layOutLegend(width, both_fingers, [&](const LegendEntry& entry, float x, int line) {
     const float left = corner.x + x;
     const float top = corner.y + static_cast<float>(line) * kPlotLegendLine;
     const float middle = top + 0.5f * smallSize();

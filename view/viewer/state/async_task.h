@@ -37,7 +37,7 @@ class AsyncTask {
     std::string error = {};  ///< why `value` is empty
   };
   /// Returns the result once.
-  std::optional<Result> take() {
+  std::optional<Result> collectResult() {
     if (!work_ || !work_->done()) return std::nullopt;
     work_->join();
     work_.reset();

@@ -152,7 +152,7 @@ using Request =
                  StopFilm, ShowClass, StartClass, WatchClass, JoinClass, EndClass>;
 
 /// The same after the user's consent.
-inline Request madeSure(Request request) {
+inline Request asConfirmed(Request request) {
   std::visit(
       [](auto& asked) {
         if constexpr (requires { asked.sure; }) asked.sure = true;

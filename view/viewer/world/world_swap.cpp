@@ -151,7 +151,7 @@ void WorldSwap::requestWhenQuiet(ViewerState& viewer) {
 }
 
 void WorldSwap::handleBuildResult(ViewerState& viewer, engine::ServoThread& servo) {
-  const auto result = builder_.take();
+  const auto result = builder_.collectResult();
   if (!result) return;
   const std::string opened = std::exchange(opening_, {});
   body_requested_ =

@@ -138,13 +138,13 @@ constexpr double kFingertipMm = 8.0;  // a point finger is drawn as a fingertip
 constexpr int kLargestSide = 16384;
 
 /// Freed not at exit but by `close`: waiting for a driver at the interpreter's end may hang.
-std::unique_ptr<DrawingThread>& theThread() {
+std::unique_ptr<DrawingThread>& sharedDrawingThread() {
   static auto* thread = new std::unique_ptr<DrawingThread>();
   return *thread;
 }
 
 DrawingThread& drawingThread() {
-  auto& thread = theThread();
+  auto& thread = sharedDrawingThread();
   if (thread && thread->isOfAnotherProcess()) {
     throw std::runtime_error(
         "palpate.view: this process was forked from one that had drawn, and OpenGL does not survive that; start it "
@@ -156,7 +156,7 @@ DrawingThread& drawingThread() {
 
 /// With the interpreter's lock. The child of a fork leaves alone what is not its own.
 void closeDrawing() {
-  auto& thread = theThread();
+  auto& thread = sharedDrawingThread();
   if (thread && thread->isOfAnotherProcess()) {
     static_cast<void>(thread.release());
     return;

@@ -153,7 +153,7 @@ std::vector<bool> shownBy(const TemplateBody& body, const BodyPlacement& at, con
 }
 
 /// Probability of the second best placement, against the best.
-double chanceOfAnother(const Alignment& best, const std::optional<Alignment>& other, double area_mm2) {
+double secondBestProbability(const Alignment& best, const std::optional<Alignment>& other, double area_mm2) {
   if (!other) return 0;
   constexpr double kAlikeMm = 35;
   constexpr double kMisfitMm = 15;
@@ -199,7 +199,7 @@ BodyFit makeBodyFit(const TemplateBody& body, const ScanSamples& samples, const 
   }
   if (fit.spine_expected_mm == 0) fit.spine_expected_mm = kOffMm;  // a scan without any spine
   fit.certainty = elementary::erf(kOffMm / (kWorstOfAll * fit.spine_expected_mm * std::numbers::sqrt2)) *
-                  (1 - chanceOfAnother(best, other, samples.area_mm2));
+                  (1 - secondBestProbability(best, other, samples.area_mm2));
   judge(best, known.size() >= kFewestNamedPoints, fit);
   return fit;
 }

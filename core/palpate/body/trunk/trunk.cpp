@@ -174,19 +174,19 @@ void forEachPoint(Trunk& trunk, const Change& change) {
   }
 }
 
-double leastAlong(const mesh::TriangleMesh& skin, int axis) {
+double minCoordinate(const mesh::TriangleMesh& skin, int axis) {
   double least = skin.positions[0][axis];
   for (const Vec3& p : skin.positions) least = std::min(least, p[axis]);
   return least;
 }
 
 void layDown(Trunk& trunk) {
-  const double plane = tablePlane(leastAlong(trunk.skin, 2));
+  const double plane = tablePlane(minCoordinate(trunk.skin, 2));
   forEachPoint(trunk, [&](const Vec3& p) { return flattened(p, plane); });
   trunk.support = Support{{0, 0, plane}, Vec3::UnitZ()};
 }
 
-void setDown(Trunk& trunk) { trunk.support = Support{{0, leastAlong(trunk.skin, 1), 0}, Vec3::UnitY()}; }
+void setDown(Trunk& trunk) { trunk.support = Support{{0, minCoordinate(trunk.skin, 1), 0}, Vec3::UnitY()}; }
 
 }  // namespace
 

@@ -95,7 +95,7 @@ TriangleMesh loadChecked(const MeshFile& file, Format format, VertexChannels* ch
   return mesh;
 }
 
-MeshWithChannels loadTold(const MeshFile& file, Format format) {
+MeshWithChannels loadWithNotes(const MeshFile& file, Format format) {
   MeshWithChannels loaded;
   loaded.mesh = loadChecked(file, format, &loaded.channels);
   loaded.notes = file.passed_over.sentences(file.name);
@@ -145,13 +145,13 @@ TriangleMesh loadFromMemory(std::string_view bytes, Format format, std::string_v
 MeshWithChannels loadWithChannels(const std::filesystem::path& file, const LoadOptions& options,
                                   const Progress& progress) {
   report(progress, "reading", 0.0);
-  return withMeshFile(file, options, progress, loadTold);
+  return withMeshFile(file, options, progress, loadWithNotes);
 }
 
 MeshWithChannels loadWithChannelsFromMemory(std::string_view bytes, Format format, std::string_view name,
                                             const LoadOptions& options, const Progress& progress) {
   PassedOver passed_over;
-  return loadTold({bytes, name, options, progress, {}, passed_over}, format);
+  return loadWithNotes({bytes, name, options, progress, {}, passed_over}, format);
 }
 
 }  // namespace palpate::mesh

@@ -76,14 +76,14 @@ bool isOwnUser(PSID who) {
 }
 
 /// This user, or one who may do everything anyway.
-bool isOneOfUs(PSID who) {
+bool isTrustedAccount(PSID who) {
   return isOwnUser(who) || ::IsWellKnownSid(who, WinLocalSystemSid) != 0 ||
          ::IsWellKnownSid(who, WinBuiltinAdministratorsSid) != 0 ||
          ::IsWellKnownSid(who, WinCreatorOwnerRightsSid) != 0;
 }
 
 /// Protected from inherited rights: this user and the system itself, also for files made within.
-Descriptor ownersAlone() {
+Descriptor ownerOnlyDescriptor() {
   static const std::vector<unsigned char> user = ownUser();
   wchar_t* name = nullptr;
   if (user.empty() || ::ConvertSidToStringSidW(reinterpret_cast<const TOKEN_USER*>(user.data())->User.Sid, &name) == 0)
@@ -119,7 +119,7 @@ bool opensToOthers(PACL list) {
     auto* allows = static_cast<ACCESS_ALLOWED_ACE*>(entry);
     if (allows->Header.AceType != ACCESS_ALLOWED_ACE_TYPE) continue;
     constexpr DWORD kHarmless = READ_CONTROL | SYNCHRONIZE | FILE_READ_ATTRIBUTES;
-    if ((allows->Mask & ~kHarmless) != 0 && !isOneOfUs(&allows->SidStart)) return true;
+    if ((allows->Mask & ~kHarmless) != 0 && !isTrustedAccount(&allows->SidStart)) return true;
   }
   return false;
 }
@@ -127,7 +127,7 @@ bool opensToOthers(PACL list) {
 }  // namespace
 
 int createFile(const fs::path& file, ReadableBy readers) {
-  const Descriptor alone = readers == ReadableBy::owner ? ownersAlone() : Descriptor();
+  const Descriptor alone = readers == ReadableBy::owner ? ownerOnlyDescriptor() : Descriptor();
   SECURITY_ATTRIBUTES attributes{sizeof(SECURITY_ATTRIBUTES), alone.get(), FALSE};
   return toDescriptor(::CreateFileW(file.c_str(), GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_WRITE, &attributes,
                                     CREATE_NEW, FILE_ATTRIBUTE_NORMAL, nullptr));
@@ -163,7 +163,7 @@ bool isOpenToAll(const fs::path&) { return false; }  // links are for administra
 
 bool isClosedToOthers(const fs::path& file) {
   Rights rights;
-  return readRights(file, rights) && isOneOfUs(rights.owner) && !opensToOthers(rights.list);
+  return readRights(file, rights) && isTrustedAccount(rights.owner) && !opensToOthers(rights.list);
 }
 
 bool isClosedToStrangers(const fs::path& file) { return isClosedToOthers(file); }
@@ -176,17 +176,17 @@ bool isOwnFolder(const fs::path& folder) {
   const DWORD facts = ::GetFileAttributesW(folder.c_str());
   Rights rights;
   return facts != INVALID_FILE_ATTRIBUTES && (facts & FILE_ATTRIBUTE_DIRECTORY) != 0 &&
-         (facts & FILE_ATTRIBUTE_REPARSE_POINT) == 0 && readRights(folder, rights) && isOneOfUs(rights.owner);
+         (facts & FILE_ATTRIBUTE_REPARSE_POINT) == 0 && readRights(folder, rights) && isTrustedAccount(rights.owner);
 }
 
 bool makeClosedFolder(const fs::path& folder) {
-  const Descriptor alone = ownersAlone();
+  const Descriptor alone = ownerOnlyDescriptor();
   SECURITY_ATTRIBUTES attributes{sizeof(SECURITY_ATTRIBUTES), alone.get(), FALSE};
   return ::CreateDirectoryW(folder.c_str(), &attributes) != 0 || failed();
 }
 
 bool closeToOthers(const fs::path& folder) {
-  const Descriptor alone = ownersAlone();
+  const Descriptor alone = ownerOnlyDescriptor();
   return ::SetFileSecurityW(folder.c_str(), DACL_SECURITY_INFORMATION, alone.get()) != 0 || failed();
 }
 

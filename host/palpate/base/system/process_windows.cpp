@@ -39,13 +39,13 @@ std::wstring quoted(const std::string& word) {
 
 /// Ctrl-C goes to every program at the console: the other one ends in order, and this one waits for it. When a handler
 /// returns from what is more than that, the system ends its program.
-BOOL WINAPI leaveToTheOther(DWORD event) {
+BOOL WINAPI ignoreCtrlC(DWORD event) {
   if (event != CTRL_C_EVENT && event != CTRL_BREAK_EVENT) ::Sleep(INFINITE);
   return TRUE;
 }
 
 /// Ending this program ends those in the job, but not those that they have started.
-HANDLE jobThatEndsWithUs() {
+HANDLE createKillOnCloseJob() {
   const HANDLE job = ::CreateJobObjectW(nullptr, nullptr);
   JOBOBJECT_EXTENDED_LIMIT_INFORMATION limits{};
   limits.BasicLimitInformation.LimitFlags = JOB_OBJECT_LIMIT_KILL_ON_JOB_CLOSE | JOB_OBJECT_LIMIT_SILENT_BREAKAWAY_OK;
@@ -185,14 +185,14 @@ void returnLargeArrays() noexcept {}  // its heap returns them automatically
 
 int becomeProgram(const std::filesystem::path& program, const std::string& called,
                   const std::vector<std::string>& words) {
-  const HANDLE job = jobThatEndsWithUs();
+  const HANDLE job = createKillOnCloseJob();
   PROCESS_INFORMATION child{};
   if (!begin(program, called, words, CREATE_SUSPENDED, child)) return -1;
-  ::SetConsoleCtrlHandler(leaveToTheOther, TRUE);
+  ::SetConsoleCtrlHandler(ignoreCtrlC, TRUE);
   ::AssignProcessToJobObject(job, child.hProcess);
   ::ResumeThread(child.hThread);
   const int answer = waitForExitCode(child);
-  ::SetConsoleCtrlHandler(leaveToTheOther, FALSE);
+  ::SetConsoleCtrlHandler(ignoreCtrlC, FALSE);
   ::CloseHandle(job);
   return answer;
 }

@@ -76,7 +76,7 @@ Probe probeMouse(const OpenOptions& options) {
 }
 
 Device openMouse(const OpenOptions& options) {
-  if (options.mouse == nullptr) throw Error(whyNot(backEndNamed("mouse"), probeMouse(options)));
+  if (options.mouse == nullptr) throw Error(probeFailureText(backEndNamed("mouse"), probeMouse(options)));
   return mouseDevice("mouse", *options.mouse);
 }
 

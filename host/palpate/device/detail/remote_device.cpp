@@ -111,7 +111,7 @@ class Remote {
       const int bytes = socket_.port().receive(message, sender);
       if (bytes < 0) break;  // nothing waits, or an earlier answer did not arrive
       const std::size_t size = std::min(static_cast<std::size_t>(bytes), message.size());
-      const auto pose = gate_.take({message.data(), size}, sender, tick);
+      const auto pose = gate_.acceptPose({message.data(), size}, sender, tick);
       send(gate_.reply(), sender);
       if (!pose) continue;
       pose_ = *pose;

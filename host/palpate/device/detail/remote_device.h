@@ -25,7 +25,7 @@ namespace palpate::device {
 // Decides who may move a finger by datagrams, and how much is answered: the protocol of docs/reference/remote.md
 // without its socket.
 //
-//   datagram ─ holder? ─ signed, fresh? ─ a pose? ─► take        answer ─► "f x y z", some for each pose and no more
+//   datagram ─ holder? ─ signed, fresh? ─ a pose? ─► acceptPose   answer ─► "f x y z", some for each pose and no more
 //
 // One sender holds the finger until it has been silent for a second. With a key every message is signed (HMAC-SHA256):
 // "hello" is answered by the nonce of the conversation and the number of its last pose, poses count up within it, and a
@@ -85,10 +85,10 @@ class RemoteGate {
   void tick(std::uint64_t tick) noexcept;
 
   /// The pose in a datagram, where it counts. Sets `reply`.
-  std::optional<RemotePose> take(std::string_view datagram, const RemotePeer& from, std::uint64_t tick) noexcept;
+  std::optional<RemotePose> acceptPose(std::string_view datagram, const RemotePeer& from, std::uint64_t tick) noexcept;
 
   /// Immediate answer to the sender of the last datagram, whether or not it has the finger; empty for most. Valid until
-  /// `take`.
+  /// `acceptPose`.
   std::string_view reply() const noexcept { return {reply_.data(), reply_size_}; }
 
   /// The next answer for the holder; empty where none is due. Valid until the next one.

@@ -1,4 +1,4 @@
-// Numbers by std::from_chars and fmt::format_to_n, which know no locale and take no memory.
+// Numbers by std::from_chars and fmt::format_to_n, which know no locale and allocate nothing.
 #include "palpate/device/detail/remote_device.h"
 
 #include <fmt/format.h>
@@ -110,8 +110,8 @@ void RemoteGate::tick(std::uint64_t tick) noexcept {
   beginConversation();
 }
 
-std::optional<RemotePose> RemoteGate::take(std::string_view datagram, const RemotePeer& from,
-                                           std::uint64_t tick) noexcept {
+std::optional<RemotePose> RemoteGate::acceptPose(std::string_view datagram, const RemotePeer& from,
+                                                 std::uint64_t tick) noexcept {
   reply_size_ = 0;
   if (holder_ && from != *holder_) {
     countOne(counts_.ignored);

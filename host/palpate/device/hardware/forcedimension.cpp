@@ -107,7 +107,7 @@ Device openForceDimension(const OpenOptions& options) {
       explainByBus(usbDevices(forceDimensionMarks(), options.system_root), "palpate-forcedimension", probe);
     }
   }
-  if (!opened.driver) throw Error(whyNot(backEndNamed("forcedimension"), probe));
+  if (!opened.driver) throw Error(probeFailureText(backEndNamed("forcedimension"), probe));
   Device device;
   device.name = options.which.empty() ? "forcedimension" : "forcedimension:" + options.which;
   device.capabilities = opened.driver->capabilities();

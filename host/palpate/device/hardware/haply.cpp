@@ -67,7 +67,7 @@ Device openHaply(const OpenOptions& options) {
     Probe probe;
     probe.reason = added.reason;
     probe.remedy = added.remedy;
-    throw Error(whyNot(backEndNamed("haply"), probe));
+    throw Error(probeFailureText(backEndNamed("haply"), probe));
   }
   Device device;
   device.name = options.which.empty() ? "haply" : "haply:" + options.which;

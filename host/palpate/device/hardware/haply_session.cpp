@@ -156,14 +156,14 @@ void Session::exchange() noexcept {
 
 void Session::exchangeInTurn() noexcept {
   try {
-    askAndTell();
+    exchangeWithService();
   } catch (const std::exception& error) {
     connection_.reset();
     for (const auto& slot : slots_) publishTrouble(*slot, error.what());
   }
 }
 
-void Session::askAndTell() {
+void Session::exchangeWithService() {
   std::vector<DeviceOrder> orders;
   for (const auto& slot : slots_) {
     const Vec3 force = slot->frame.forceInDevice(slot->link.dueForce());

@@ -124,7 +124,7 @@ class Session {
  private:
   void exchange() noexcept;
   void exchangeInTurn() noexcept;
-  void askAndTell();
+  void exchangeWithService();
   void publishReply(Slot& slot, const Reply& reply, bool late);
   void publishTrouble(Slot& slot, const std::string& trouble) noexcept;
   void setTrouble(Slot& slot, const std::string& trouble);

@@ -20,7 +20,7 @@ std::string remedyFor(const std::string& dependency, const LibraryRemedies& reme
 }
 
 void explainRefusal(const LibraryFindings& findings, Probe& probe) {
-  const LibraryAttempt* attempt = tellingAttempt(findings.library);
+  const LibraryAttempt* attempt = mostInformativeAttempt(findings.library);
   if (attempt == nullptr) return;
   const LibraryRemedies& remedies = findings.remedies;
   if (!attempt->dependency.empty()) {

@@ -103,14 +103,14 @@ Device openOpenHaptics(const OpenOptions& options) {
   const openhaptics::Loaded loaded = openhaptics::load(options);
   Probe probe;
   reportLibrary({kLibraryWords, loaded.library, loaded.missing, remedies()}, probe);
-  if (!probe.reason.empty()) throw Error(whyNot(backEndNamed("openhaptics"), probe));
+  if (!probe.reason.empty()) throw Error(probeFailureText(backEndNamed("openhaptics"), probe));
   const std::shared_ptr<openhaptics::Session> session = openhaptics::sharedSession(loaded);
   openhaptics::Added added = session->add(options);
   if (!added.slot) {
     probe.reason = added.reason;
     probe.remedy = added.remedy;
     explainByBus(pluggedIn(options), "palpate-openhaptics", probe);
-    throw Error(whyNot(backEndNamed("openhaptics"), probe));
+    throw Error(probeFailureText(backEndNamed("openhaptics"), probe));
   }
   Device device;
   device.name = options.which.empty() ? "openhaptics" : "openhaptics:" + options.which;

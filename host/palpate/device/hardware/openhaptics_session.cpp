@@ -288,7 +288,7 @@ void Session::release(const std::shared_ptr<Slot>& slot) {
   letGo();
 }
 
-bool Session::anotherFeels(const Slot& slot) const {
+bool Session::hasOtherWorkingSlot(const Slot& slot) const {
   return std::any_of(slots_.begin(), slots_.end(), [&](const auto& other) {
     return other.get() != &slot && other->held && other->link.driverFaults() == 0;
   });
@@ -297,7 +297,7 @@ bool Session::anotherFeels(const Slot& slot) const {
 bool Session::revive(Slot& slot) {
   const std::lock_guard lock(mutex_);
   if (!slot.held || (slot.link.driverFaults() & kDriverError) == 0) return slot.held;
-  if (anotherFeels(slot)) return false;
+  if (hasOtherWorkingSlot(slot)) return false;
   stop();
   if (slot.handle != kInvalidHandle) api_.disable_device(slot.handle);
   firstError();

@@ -162,7 +162,7 @@ class Session {
   Handle firstFree(const OpenOptions& options, std::string& name, std::uint32_t& error);
   Capabilities readCapabilities(Handle handle, const DeviceFrame& frame) const;
   bool isOnScheduler(Handle handle) const;
-  bool anotherFeels(const Slot& slot) const;
+  bool hasOtherWorkingSlot(const Slot& slot) const;
   void waitForRest(const Slot& slot) const;
   std::uint32_t firstError() const;
   std::uint32_t start();

@@ -23,7 +23,7 @@ namespace {
 class HeldPlugin {
  public:
   HeldPlugin(std::unique_ptr<plugin::Driver> driver, bool own_thread) : driver_(std::move(driver)) {
-    if (!own_thread || driver_->answersAtOnce()) return;
+    if (!own_thread || driver_->isOnCall()) return;
     thread_ = std::make_unique<DriverThread>([this] { driver_->exchange(); }, plugin::kExchangesPerS);
   }
   ~HeldPlugin() { close(); }
@@ -130,11 +130,11 @@ Device openPlugin(const OpenOptions& options) {
       probe.reason = fmt::format("{}: {}", plugin::nameOf(found), opened.reason);
     }
   }
-  if (!opened.driver) throw Error(whyNot(backEndNamed("plugin"), probe));
+  if (!opened.driver) throw Error(probeFailureText(backEndNamed("plugin"), probe));
   Device device;
   device.name = options.which.empty() ? "plugin" : "plugin:" + options.which;
   device.capabilities = opened.driver->capabilities();
-  const bool may_wait = !opened.driver->answersAtOnce();
+  const bool may_wait = !opened.driver->isOnCall();
   const auto held = std::make_shared<HeldPlugin>(std::move(opened.driver), options.own_thread);
   device.read_tip = [held](std::uint64_t tick) { return held->driver().read(tick); };
   device.write_force = [held](const Vec3& force) { held->driver().write(force); };

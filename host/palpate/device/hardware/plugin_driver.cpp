@@ -94,7 +94,7 @@ std::string Driver::pluginErrorText() noexcept {
 }
 
 Vec3 Driver::read(std::uint64_t tick) noexcept {
-  if (!answersAtOnce()) return link_.read(tick);
+  if (!isOnCall()) return link_.read(tick);
   servo_is_in_ = true;
   if (!gone_) fetchReading(told_);
   servo_is_in_ = false;
@@ -103,7 +103,7 @@ Vec3 Driver::read(std::uint64_t tick) noexcept {
 
 void Driver::write(const Vec3& force) noexcept {
   link_.write(force);
-  if (!answersAtOnce()) return;
+  if (!isOnCall()) return;
   servo_is_in_ = true;
   if (!gone_) told_ = sendForce(link_.dueForce());
   servo_is_in_ = false;
@@ -135,7 +135,7 @@ bool Driver::revive() {
 std::string Driver::explain() {
   const std::uint32_t faults = link_.driverFaults();
   if (faults == 0 || gone_) return {};
-  if ((faults & kDriverError) != 0 && answersAtOnce()) {
+  if ((faults & kDriverError) != 0 && isOnCall()) {
     const std::lock_guard turn(turns_);
     return device_ == nullptr ? std::string() : pluginErrorText();
   }

@@ -62,7 +62,7 @@ class Driver {
   Driver(const Driver&) = delete;
   Driver& operator=(const Driver&) = delete;
 
-  bool answersAtOnce() const { return capabilities_.rhythm == Rhythm::on_call; }
+  bool isOnCall() const { return capabilities_.rhythm == Rhythm::on_call; }
   const Capabilities& capabilities() const { return capabilities_; }
 
   /// For a plugin that may wait: force out, position in.

@@ -56,7 +56,7 @@ SharedLibrary openLibrary(std::span<const std::string> names) {
   return library;
 }
 
-const LibraryAttempt* tellingAttempt(const SharedLibrary& library) {
+const LibraryAttempt* mostInformativeAttempt(const SharedLibrary& library) {
   const LibraryAttempt* telling = nullptr;
   for (const LibraryAttempt& attempt : library.attempts) {
     if (attempt.words.empty()) continue;

@@ -40,7 +40,7 @@ SharedLibrary openLibrary(std::span<const std::string> names);
 std::string missingDependency(std::string_view words, std::string_view wanted);
 
 /// The most informative attempt: one whose file is there but does not load goes before those that were not found.
-const LibraryAttempt* tellingAttempt(const SharedLibrary& library);
+const LibraryAttempt* mostInformativeAttempt(const SharedLibrary& library);
 
 /// A pointer to a function of a library, null where it has none.
 template <class Function>

@@ -28,7 +28,7 @@ std::string readAttribute(const fs::path& device, const char* name) {
   }
 }
 
-bool bears(const UsbDevice& device, const UsbMarks& marks) {
+bool matchesMarks(const UsbDevice& device, const UsbMarks& marks) {
   const std::string name = inSmallLetters(device.maker + " " + device.product);
   const auto named = [&](const std::string& word) { return name.find(word) != std::string::npos; };
   const std::string number = inSmallLetters(device.vendor_id + ":" + device.product_id);
@@ -65,7 +65,7 @@ std::vector<UsbDevice> usbDevices(const UsbMarks& marks, const fs::path& root) {
     device.product_id = readAttribute(attributes, "idProduct");
     device.maker = readAttribute(attributes, "manufacturer");
     device.product = readAttribute(attributes, "product");
-    if (!bears(device, marks)) continue;
+    if (!matchesMarks(device, marks)) continue;
     device.node = busNode(attributes, root);
     device.may_open = system::mayReadAndWrite(device.node);
     found.push_back(std::move(device));

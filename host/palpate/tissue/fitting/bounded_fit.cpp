@@ -30,7 +30,7 @@ class Descent {
     double damping = 1e-3;
     for (int i = 0; i < kMaxSteps && damping < 1e12; ++i) {
       fit.jacobian = jacobianAt(fit.numbers);
-      fit.at_bound = heldBack(fit.numbers, fit.jacobian.transpose() * rest);
+      fit.at_bound = activeBounds(fit.numbers, fit.jacobian.transpose() * rest);
       const Eigen::VectorXd next = clamped(fit.numbers + dampedStep(fit, rest, damping));
       if (isNoStep(next - fit.numbers)) break;
       const Eigen::VectorXd next_rest = residuals_(next);
@@ -44,7 +44,7 @@ class Descent {
       damping = std::max(1e-12, 0.2 * damping);
     }
     fit.jacobian = jacobianAt(fit.numbers);
-    fit.at_bound = heldBack(fit.numbers, fit.jacobian.transpose() * rest);
+    fit.at_bound = activeBounds(fit.numbers, fit.jacobian.transpose() * rest);
     return fit;
   }
 
@@ -74,7 +74,7 @@ class Descent {
   }
 
   /// At a bound, and downhill leads out.
-  std::vector<bool> heldBack(const Eigen::VectorXd& numbers, const Eigen::VectorXd& gradient) const {
+  std::vector<bool> activeBounds(const Eigen::VectorXd& numbers, const Eigen::VectorXd& gradient) const {
     std::vector<bool> held;
     for (Eigen::Index i = 0; i < numbers.size(); ++i) {
       const bool low = numbers[i] <= boundsAt(i).low && gradient[i] >= 0.0;

@@ -304,7 +304,7 @@ ProfileFit fitPlaces(const Places& places, ProfileForm form, const std::vector<E
 }
 
 Eigen::ArrayXd downMisses(const ProfileFit& fit, const Places& places) {
-  return places.radius.unaryExpr([&](double r) { return fit.surface_mm * downOf(fit, r); }) - places.down;
+  return places.radius.unaryExpr([&](double r) { return fit.surface_mm * downShare(fit, r); }) - places.down;
 }
 
 double unseenPlacesRms(const Places& places, const ProfileFit& fit, const Eigen::VectorXd& inner, double surface) {
@@ -330,7 +330,7 @@ std::string_view nameOf(ProfileForm form) {
   return kNames.at(static_cast<std::size_t>(form));
 }
 
-double downOf(const ProfileFit& fit, double radius_mm) {
+double downShare(const ProfileFit& fit, double radius_mm) {
   if (fit.form == ProfileForm::measured) {
     return valueAt(fit.measured_down, UserInterpolation::monotone_cubic, radius_mm);
   }
@@ -339,7 +339,7 @@ double downOf(const ProfileFit& fit, double radius_mm) {
   return shareAt(fit.form, values, radius_mm);
 }
 
-double outwardOf(const ProfileFit& fit, double radius_mm) {
+double outwardShare(const ProfileFit& fit, double radius_mm) {
   if (fit.form == ProfileForm::measured) {
     if (fit.measured_outward.knots.empty()) return 0.0;
     return valueAt(fit.measured_outward, UserInterpolation::linear, radius_mm);
@@ -363,7 +363,7 @@ ProfileFit fitProfile(const SkinProfile& profile, ProfileForm form) {
   fit.unseen_rms = unseenPlacesRms(places, fit, inner, surface);
   if (places.outward.size() == 0) return fit;
   const Eigen::ArrayXd sideways =
-      places.radius.unaryExpr([&](double r) { return fit.surface_mm * outwardOf(fit, r); }) - places.outward;
+      places.radius.unaryExpr([&](double r) { return fit.surface_mm * outwardShare(fit, r); }) - places.outward;
   fit.vector_rms = std::sqrt((places.areas * (misses.square() + sideways.square())).sum()) / surface;
   return fit;
 }

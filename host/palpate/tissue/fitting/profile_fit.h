@@ -74,8 +74,8 @@ struct ProfileFit {
 };
 
 /// Shares of u0 at a radius at rest.
-double downOf(const ProfileFit& fit, double radius_mm);
-double outwardOf(const ProfileFit& fit, double radius_mm);
+double downShare(const ProfileFit& fit, double radius_mm);
+double outwardShare(const ProfileFit& fit, double radius_mm);
 
 /// Throws Error, which names the depth, for fewer than 6 places at different radii, or skin that does not go down.
 ProfileFit fitProfile(const SkinProfile& profile, ProfileForm form);

@@ -118,8 +118,8 @@ std::vector<double> tableRadii(double to_mm) {
 PressedShape shapeOf(const ProfileFit& fit, const std::vector<double>& radii_mm) {
   PressedShape shape{.depth_mm = fit.depth_mm, .surface_mm = fit.surface_mm, .down = {}, .outward = {}};
   for (const double radius : radii_mm) {
-    shape.down.push_back(downOf(fit, radius));
-    shape.outward.push_back(outwardOf(fit, radius));
+    shape.down.push_back(downShare(fit, radius));
+    shape.outward.push_back(outwardShare(fit, radius));
   }
   return shape;
 }

@@ -50,7 +50,7 @@ std::uint16_t encodeSrgb16(float light) {
 /// Data shared by all pictures of a case.
 struct Stage {
   explicit Stage(const SyntheticCase& wanted)
-      : made(wanted), body(wanted.back), field(wanted.press), marks(layMarks(wanted.marks)) {
+      : made(wanted), body(wanted.back), field(wanted.press), marks(makeInkMarks(wanted.marks)) {
     constexpr double kTexelsPerPixel = 1.3;
     const double scale = SyntheticCamera(made, body, false).pixelsPerMm();
     skin = paintSkin(made, marks, std::clamp(kTexelsPerPixel * scale, 3.0, 9.0));
@@ -255,7 +255,7 @@ SyntheticTruth computeTruth(const SyntheticCase& made) {
   const SyntheticCamera before(made, body, false);
   const SyntheticCamera after(made, body, true);
   const StickPicture stick = drawPressStick(made, body, field, after);
-  const InkMarks marks = layMarks(made.marks);
+  const InkMarks marks = makeInkMarks(made.marks);
   SyntheticTruth truth;
   for (const InkMark& mark : marks.dots) {
     TrueDot dot;

@@ -193,7 +193,7 @@ cv::Point2f SkinTexture::toTexel(const Vec2& skin_mm) const {
           static_cast<float>((kHalfLengthMm - skin_mm.y()) * texels_per_mm - 0.5)};
 }
 
-InkMarks layMarks(const DotMarks& marks) {
+InkMarks makeInkMarks(const DotMarks& marks) {
   Random random(marks.seed);
   InkMarks laid;
   for (int row = 0; row < marks.rows; ++row) {

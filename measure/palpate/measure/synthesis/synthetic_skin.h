@@ -23,7 +23,7 @@ struct InkMarks {
   std::vector<InkMark> strays;
 };
 
-InkMarks layMarks(const DotMarks& marks);
+InkMarks makeInkMarks(const DotMarks& marks);
 
 /// Share of light given back by the skin, linear, red, green, blue, as 16 bits (65535: all).
 struct SkinTexture {

@@ -92,7 +92,7 @@ Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor)
   return deleted;
 }
 
-std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms) {
+std::vector<KeptLongEnough> findExpired(RowTables& rows, std::int64_t now_ms) {
   std::map<std::string, ClassRow> classes;
   for (const ClassRow& row : rows.classes()) classes[row.id] = row;
   std::vector<KeptLongEnough> all;
@@ -118,7 +118,7 @@ std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms)
 Purged purge(Store& store, std::int64_t now_ms, bool really) {
   RecordingFiles files(store);
   Purged purged;
-  for (const KeptLongEnough& of : keptLongEnough(store.rows(), now_ms)) {
+  for (const KeptLongEnough& of : findExpired(store.rows(), now_ms)) {
     for (const SessionRow& session : of.files) {
       if (files.sessionFiles(session.id).empty()) continue;
       ++purged.files;

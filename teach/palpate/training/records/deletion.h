@@ -2,7 +2,7 @@
 //
 //   deleteTrainee: key ─ recordings ─ rows ─ what waits for the class ─ a notice to the class ─ the file rewritten
 //
-//   purge: what keptLongEnough says, of each trainee; without notice to others
+//   purge: what findExpired says, of each trainee; without notice to others
 //
 // In this order, a power cut in between leaves nothing readable that the records do not know: doing it again finishes
 // it. Exports and copies elsewhere remain; a class learns by the notice.
@@ -37,7 +37,7 @@ struct KeptLongEnough {
   bool nothing_left = false;         ///< the trainee goes too
 };
 /// By the days of each trainee's class; of trainees without one nothing. `now_ms`: since 1970.
-std::vector<KeptLongEnough> keptLongEnough(RowTables& rows, std::int64_t now_ms);
+std::vector<KeptLongEnough> findExpired(RowTables& rows, std::int64_t now_ms);
 
 struct Purged {
   int sessions = 0;  ///< with their rows, older than the class keeps them
@@ -45,7 +45,7 @@ struct Purged {
   int trainees = 0;  ///< trainees of whom nothing was left
 };
 
-/// Forgets what `keptLongEnough` says, without notice to a class: it keeps what it has by its own days, and the trainee
+/// Forgets what `findExpired` says, without notice to a class: it keeps what it has by its own days, and the trainee
 /// may have trained elsewhere since. `really`: else it is only counted.
 Purged purge(Store& store, std::int64_t now_ms, bool really);
 

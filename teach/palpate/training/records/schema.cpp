@@ -223,7 +223,7 @@ int readSchemaVersion(Sql& sql) {
   }
 }
 
-void bringForward(Sql& sql, std::string_view what) {
+void migrateSchema(Sql& sql, std::string_view what) {
   const auto refuse_newer = [what](int version) {
     if (version <= kSchemaVersion) return;
     throw Error::inFile(

@@ -15,7 +15,7 @@ namespace palpate::training {
 // The tables of the records, described once: the DDL of SQLite and of PostgreSQL, the steps from older versions, and
 // the tables of docs/reference/results-schema.md all come from here.
 //
-//   tables() ─ ddl, migration ─► statements ─ bringForward ─► a file of a station, the database of a class
+//   tables() ─ ddl, migration ─► statements ─ migrateSchema ─► a file of a station, the database of a class
 
 class Sql;
 
@@ -62,7 +62,7 @@ std::string migration(Dialect dialect, int to);
 
 /// Creates missing tables and migrates older ones, all in one transaction. `what` is for messages. Throws Error for a
 /// schema newer than ours.
-void bringForward(Sql& sql, std::string_view what);
+void migrateSchema(Sql& sql, std::string_view what);
 /// 0: the tables are missing.
 int readSchemaVersion(Sql& sql);
 

@@ -103,7 +103,7 @@ void settle(SqliteSql& sql, const fs::path& file, Store::Open how) {
   }
   // Rows are on the disk when `save` returns: every commit waits for it. Deleted data is overwritten.
   sql.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
-  bringForward(sql, file.string());
+  migrateSchema(sql, file.string());
 }
 
 }  // namespace
@@ -247,7 +247,7 @@ std::size_t Store::refusedCount() {
 
 void Store::tryRefusedAgain() { impl_->sql->change("UPDATE outbox SET refused = '' WHERE refused <> ''"); }
 
-void Store::hearDeleted(std::span<const std::string> marks) {
+void Store::applyDeletionNotice(std::span<const std::string> marks) {
   SqlTransaction transaction(*impl_->sql);
   // A waiting trainee's row would not be kept: a later one must come after this notice.
   std::vector<Uuid> gone;

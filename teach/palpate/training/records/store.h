@@ -77,7 +77,7 @@ class Store {
   void tryRefusedAgain();
   /// Handles deletions of trainees in the class, for every station: queues this station's receipt after the waiting
   /// rows and before later ones.
-  void hearDeleted(std::span<const std::string> marks);
+  void applyDeletionNotice(std::span<const std::string> marks);
 
   /// The secret of a class whose trainees sit here (trainee_code.h), remembered in the file, so that codes can be
   /// found.

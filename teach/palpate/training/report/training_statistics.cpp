@@ -95,7 +95,7 @@ TraineeStatistics traineeStatistics(const TrainingRecord& record, const TraineeR
   everybodys.add(trials);
   for (const auto* group : {&trials.tests, &trials.practice}) {
     for (const ChosenTrial& trial : *group) {
-      if (const std::string reason = whyLeftOut(*trial.row); !reason.empty()) ++statistics.excluded[reason];
+      if (const std::string reason = exclusionReason(*trial.row); !reason.empty()) ++statistics.excluded[reason];
     }
   }
   statistics.compared = testsCompared(statistics.points);

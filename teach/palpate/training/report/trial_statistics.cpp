@@ -202,9 +202,11 @@ std::vector<AnswerBox> makeAnswerBoxes(Trials trials) {
 
 }  // namespace
 
-bool countsForResults(const TrialRow& trial) { return trial.kind != TrialKind::warm_up && whyLeftOut(trial).empty(); }
+bool countsForResults(const TrialRow& trial) {
+  return trial.kind != TrialKind::warm_up && exclusionReason(trial).empty();
+}
 
-std::string whyLeftOut(const TrialRow& trial) {
+std::string exclusionReason(const TrialRow& trial) {
   if (trial.kind == TrialKind::warm_up) return {};
   if (!trial.excluded.empty()) return trial.excluded;
   return trial.sites_felt < 2 ? "fewer than two places felt" : "";  // as a block has it: nothing to compare with

@@ -25,7 +25,7 @@ struct ChosenTrial {
 /// Neither a warm-up nor left out: it informs about the trainee.
 bool countsForResults(const TrialRow& trial);
 /// Why a trial other than a warm-up does not count; empty: it counts.
-std::string whyLeftOut(const TrialRow& trial);
+std::string exclusionReason(const TrialRow& trial);
 
 /// Summary of a set of values; all 0 where there are none.
 struct Spread {

@@ -65,7 +65,7 @@ struct LumpSession::Impl {
 
   bool exam() const { return block.settings().exam; }
   /// A question that can be answered now.
-  bool asks() const { return screen == LumpScreen::trial && !paused_since; }
+  bool canAnswer() const { return screen == LumpScreen::trial && !paused_since; }
 
   void say(std::string text) { said = {.text = std::move(text), .number = said.number + 1}; }
 
@@ -225,7 +225,7 @@ int LumpSession::bodiesAtMost() const { return impl_->block.bodies(); }
 bool LumpSession::isExam() const { return impl_->exam(); }
 
 void LumpSession::ready(const Moment& now) {
-  if (!impl_->asks()) return;
+  if (!impl_->canAnswer()) return;
   impl_->begun = now;
   impl_->watch.restart();
 }
@@ -251,17 +251,17 @@ void LumpSession::next(const Moment& now) {
 }
 
 bool LumpSession::answer(int choice, const Moment& now) {
-  return impl_->asks() && impl_->took(impl_->block.answer(choice), now);
+  return impl_->canAnswer() && impl_->took(impl_->block.answer(choice), now);
 }
 
 bool LumpSession::answer(const Vec2& place_mm, const Moment& now) {
-  return impl_->asks() && impl_->took(impl_->block.answer(place_mm), now);
+  return impl_->canAnswer() && impl_->took(impl_->block.answer(place_mm), now);
 }
 
-bool LumpSession::noMore(const Moment& now) { return impl_->asks() && impl_->took(impl_->block.noMore(), now); }
+bool LumpSession::noMore(const Moment& now) { return impl_->canAnswer() && impl_->took(impl_->block.noMore(), now); }
 
 void LumpSession::pause(const Moment& now) {
-  if (!impl_->asks()) return;
+  if (!impl_->canAnswer()) return;
   impl_->paused_since = now;
   impl_->note("pause", std::string(wordFor(screen())), now);
   impl_->say(pausedNotice());

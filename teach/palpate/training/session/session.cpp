@@ -179,13 +179,13 @@ struct Session::Impl {
     ++familiar.round;
     familiar_stiffer = familiar_draws.below(2) == 0 ? familiar.first : familiar.second;
     exploration.restart();
-    say(whichIsStiffer());
+    say(stifferQuestion());
   }
 
   bool answerFamiliar(int answer, const Moment& now) {
     if (answer != familiar.first && answer != familiar.second) return false;
     if (answer != familiar_stiffer) {
-      showFamiliar(familiarAgain(site(familiar_stiffer)));
+      showFamiliar(familiarFeedback(site(familiar_stiffer)));
       return true;
     }
     recordEvent("familiarisation", fmt::format("found at answer {}", familiar.round), now);
@@ -269,7 +269,7 @@ struct Session::Impl {
       screen = Screen::feedback;
       answered = {.site = planned.site, .change = planned.change};
     } else {
-      goAfterAnswer(now);
+      proceedAfterAnswer(now);
     }
   }
 
@@ -279,7 +279,7 @@ struct Session::Impl {
     say(outcome.correct ? rightAnswer(truth) : wrongAnswer(truth));
   }
 
-  void goAfterAnswer(const Moment& now) {
+  void proceedAfterAnswer(const Moment& now) {
     if (block->finished()) return summarise(now);
     offerBreak(now);
     beginTrial(now);
@@ -289,7 +289,7 @@ struct Session::Impl {
     const double after_s = kSecondsAMinute * plan.protocol.break_after_min;
     if (break_offered || after_s <= 0.0 || now.s - started.s < after_s) return;
     break_offered = true;
-    say(said.text + " " + breakOffered());
+    say(said.text + " " + breakOfferText());
     recordEvent("break", "offered", now);
   }
 
@@ -405,11 +405,11 @@ void Session::next(const Moment& now) {
       if (!impl_->device_works) return impl_->say(deviceCheck(false));
       return impl_->plan.kind == SessionKind::free ? impl_->introduce(now) : impl_->familiarise();
     case Screen::familiarisation:
-      return asks() ? impl_->say(whichIsStiffer()) : impl_->askFamiliar();
+      return asks() ? impl_->say(stifferQuestion()) : impl_->askFamiliar();
     case Screen::instruction:
       return impl_->beginTrial(now);
     case Screen::feedback:
-      return impl_->goAfterAnswer(now);
+      return impl_->proceedAfterAnswer(now);
     case Screen::block_summary:
       return impl_->afterSummary(now);
     case Screen::free_exploration:

@@ -48,7 +48,7 @@ EGLContext madeContext(EGLDisplay display, const EGLint* attributes) {
 }
 
 /// The version of an old driver, for the message: a context of any version.
-std::string versionOffered(EGLDisplay display) {
+std::string offeredGlVersion(EGLDisplay display) {
   const EGLint any[] = {EGL_NONE};
   const EGLContext context = madeContext(display, any);
   if (context == EGL_NO_CONTEXT) return "none";
@@ -80,7 +80,7 @@ OffscreenContext::OffscreenContext(Profile profile) : handles_(std::make_unique<
       EGL_NONE};
   handles_->context = madeContext(handles_->display, wanted);
   if (handles_->context == EGL_NO_CONTEXT) {
-    throw Error(fmt::format("cannot draw: needs OpenGL 3.3, found {}", versionOffered(handles_->display)));
+    throw Error(fmt::format("cannot draw: needs OpenGL 3.3, found {}", offeredGlVersion(handles_->display)));
   }
   eglMakeCurrent(handles_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, handles_->context);
 }

@@ -168,7 +168,7 @@ Vec2 tipIn(const CutAway& cut, const FingerMark& finger) {
 }
 
 /// The finger, the lump between it and the edge, and the bone below both, unless it is far deeper than the lump.
-void showWhatMatters(CutAway& cut) {
+void frameCutAway(CutAway& cut) {
   constexpr double kLeastHalfMm = 22.0;
   constexpr double kRoomMm = 9.0;      // on both sides of a lump
   constexpr double kOverBoneMm = 3.0;  // visible part of the bone
@@ -262,7 +262,7 @@ std::optional<CutAway> CutMaker::cut(std::span<const FingerMark> fingers,
   cut.finger_mm = finger->radius_mm;
   cut.finger = tipIn(cut, *finger);
   cut.colour = finger->colour;
-  showWhatMatters(cut);
+  frameCutAway(cut);
   return cut;
 }
 

@@ -200,7 +200,8 @@ std::vector<CutSign> cutSigns(const CutAway& cut) {
 }
 
 /// Lays out rows of chips with text. Returns the number of rows; draws where there is a page.
-int layKey(Drawing& page, const std::vector<CutSign>& signs, const Vec2f& corner, float width, const LabelInks* inks) {
+int layOutKey(Drawing& page, const std::vector<CutSign>& signs, const Vec2f& corner, float width,
+              const LabelInks* inks) {
   constexpr float kChipSide = 10.0f;
   constexpr float kApart = 10.0f;
   float x = 0.0f;
@@ -246,7 +247,7 @@ void drawPieces(Drawing& page, const CutAway& cut, const CutField& field, const 
 LabelBox drawCutAway(Drawing& page, const CutAway& cut, const Vec2f& lower_left, float width, const LabelInks& inks) {
   const auto signs = cutSigns(cut);
   const float inner = width - 2.0f * kCutPad;
-  const int rows = layKey(page, signs, Vec2f::Zero(), inner, nullptr);
+  const int rows = layOutKey(page, signs, Vec2f::Zero(), inner, nullptr);
   CutField field{.low = cut.low, .high = cut.high, .corner = {}, .extent = {}};
   field.extent = {inner, std::round(inner / static_cast<float>(kCutAspect))};
   const float key = static_cast<float>(rows) * kCutLine;
@@ -256,7 +257,7 @@ LabelBox drawCutAway(Drawing& page, const CutAway& cut, const Vec2f& lower_left,
   page.box(corner, corner + size, inks.plate, 5.0f);
   page.text(corner + Vec2f(kCutPad, 5.0f), titleOf(cut), inks.letter, Align::left, TextSize::small);
   drawPieces(page, cut, field, inks);
-  layKey(page, signs, {field.corner.x(), field.opposite().y() + 0.7f * kCutPad}, inner, &inks);
+  layOutKey(page, signs, {field.corner.x(), field.opposite().y() + 0.7f * kCutPad}, inner, &inks);
   return {corner, corner + size};
 }
 

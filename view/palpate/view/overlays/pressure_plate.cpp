@@ -30,7 +30,7 @@ struct PadPlate {
   Vec2f square() const { return corner + Vec2f(kPadStripe + kPlatePad, kPadWords + 0.5f * kPlatePad); }
 };
 
-float sideOn(const Drawing& page) { return std::round(std::clamp(0.16f * page.size().y(), 64.0f, 112.0f)); }
+float plateSide(const Drawing& page) { return std::round(std::clamp(0.16f * page.size().y(), 64.0f, 112.0f)); }
 
 /// Dark letters on the light end of the colours.
 Ink numberInk(double share) {
@@ -97,7 +97,7 @@ std::vector<LabelBox> drawPads(Drawing& page, std::span<const PadReading> readin
                                const LabelInks& inks) {
   std::vector<LabelBox> covered;
   const double top_kpa = padScaleTop(readings);
-  PadPlate plate{.corner = corner, .side = sideOn(page)};
+  PadPlate plate{.corner = corner, .side = plateSide(page)};
   const Vec2f size = plate.size();
   // The first finger is at the left, as it is on the body.
   const auto room = static_cast<std::size_t>(std::max(0.0f, std::floor((width + kPlatePad) / (size.x() + kPlatePad))));

@@ -23,7 +23,7 @@ using Deformed = std::function<Vec3(Index)>;
 /// Shorter drags (mm) give no direction.
 constexpr double kMinDragMm = 0.2;
 
-Vec3 acrossThe(const Vec3& normal) {
+Vec3 sectionDirection(const Vec3& normal) {
   const Vec3 side = Vec3::UnitX() - normal.x() * normal;
   constexpr double kMinSide = 1e-3;  // the skin faces along x: go along the body instead
   return side.norm() > kMinSide ? Vec3(side.normalized()) : Vec3((Vec3::UnitY() - normal.y() * normal).normalized());
@@ -152,7 +152,7 @@ SectionPlane sectionPlane(const scene::World& world, const contact::FingerOutput
   }
   const Vec3 drag = contact.proxy - contact.anchor;
   const Vec3 in_skin = drag - drag.dot(plane.upward) * plane.upward;
-  plane.along = in_skin.norm() > kMinDragMm ? Vec3(in_skin.normalized()) : acrossThe(plane.upward);
+  plane.along = in_skin.norm() > kMinDragMm ? Vec3(in_skin.normalized()) : sectionDirection(plane.upward);
   return plane;
 }
 

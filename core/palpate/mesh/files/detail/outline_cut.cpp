@@ -289,7 +289,7 @@ class Sweep {
         turns += sides_[longer].turns;
       }
       const Index united = starting_[first];
-      goOnFromItsEnd(first, end, turns);
+      addRemainingSides(first, end, turns);
       sides_[united].turns = turns;
       if (turns != 0) starting_[kept++] = united;
     }
@@ -297,7 +297,7 @@ class Sweep {
   }
 
   /// Walks the united sides [first, end): from each end to the next with the turns of the longer ones.
-  void goOnFromItsEnd(std::size_t first, std::size_t end, int turns) {
+  void addRemainingSides(std::size_t first, std::size_t end, int turns) {
     for (std::size_t i = first; i + 1 < end; ++i) {
       turns -= sides_[starting_[i]].turns;
       const Index from = sides_[starting_[i]].right;
@@ -320,7 +320,7 @@ class Sweep {
 
 }  // namespace
 
-std::optional<std::vector<Triangle>> cutOutline(std::span<const Vec2> corners) {
+std::optional<std::vector<Triangle>> triangulateOutline(std::span<const Vec2> corners) {
   if (corners.size() < 3) return std::nullopt;
   Sweep sweep(corners);
   if (!sweep.run()) return std::nullopt;

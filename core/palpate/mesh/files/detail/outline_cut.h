@@ -16,6 +16,6 @@ namespace palpate::mesh {
 /// Triangles of numbers of corners, counter-clockwise, for an outline that runs counter-clockwise; of corners at one
 /// place the first is named. None where two sides cross, or the outline does not run around every place either once or
 /// not at all. Coordinates: of magnitude 1e-90 to 1, or zero.
-std::optional<std::vector<Triangle>> cutOutline(std::span<const Vec2> corners);
+std::optional<std::vector<Triangle>> triangulateOutline(std::span<const Vec2> corners);
 
 }  // namespace palpate::mesh

@@ -147,8 +147,8 @@ PolygonCut cutLong(const std::vector<Vec3>& positions, std::span<const Index> po
     return PolygonCut::exact;
   }
   const Vec3 normal = newellNormal(positions, polygon);
-  auto cut = cutOutline(seenAlongAxis(positions, polygon, normal));
-  if (!cut && !normal.isZero(0.0)) cut = cutOutline(seenAlongNormal(positions, polygon, normal));
+  auto cut = triangulateOutline(seenAlongAxis(positions, polygon, normal));
+  if (!cut && !normal.isZero(0.0)) cut = triangulateOutline(seenAlongNormal(positions, polygon, normal));
   if (!cut) return guess(positions, polygon, triangles);
   appendTriangles(polygon, *cut, triangles);
   return PolygonCut::exact;
