@@ -104,8 +104,8 @@ WorldPointer worldOfPickle(const std::string& toml, const py::object& mesh, cons
   }
   WorldPointer world = rebuildWorld(toml, mesh);
   if (const std::string now = fmt::format("{:016x}", engine::hashOf(*world->world)); now != hash) {
-    throw Error(fmt::format("World: {} is another here than where it was pickled (hash {} instead of {}): a file that "
-                            "it was made of has changed, or the release has",
+    throw Error(fmt::format("World: {} differs from the one that was pickled (hash {}, expected {}): a file or the "
+                            "release has changed",
                             world->world->body->name, now, hash));
   }
   kept.push_front({key, world});
