@@ -89,7 +89,7 @@ def test_a_file_that_has_changed_is_told(tmp_path):
     data = pickle.dumps(palpate.World.load(tmp_path / "scene.toml"))
     assert read_elsewhere(data, "len(world.triangles)") == str(len(faces))
     (tmp_path / "dome.obj").write_text("\n".join(lines).replace("v 0.0 0.0 20.0", "v 0.0 0.0 21.0"))
-    with pytest.raises(AssertionError, match="another here than where it was pickled"):
+    with pytest.raises(AssertionError, match="differs from the one that was pickled"):
         read_elsewhere(data, "world")
 
 
