@@ -64,7 +64,7 @@ void addFamilies(Command& app) {
 
 /// `run` is the window with the modes of every installed package. A shell's request for completions goes to the program
 /// of the command. Empty for a command of our own.
-std::optional<int> handOver(const std::vector<std::string>& words) {
+std::optional<int> delegateToFamily(const std::vector<std::string>& words) {
   const bool completes = !words.empty() && words.front() == kCompleteOption;
   const std::vector<std::string> typed(words.begin() + (completes ? 1 : 0), words.end());
   const FamilyCommand* command = findFamilyCommand(typed);
@@ -78,7 +78,7 @@ std::optional<int> handOver(const std::vector<std::string>& words) {
 int runTypedCommand(const std::vector<std::string>& typed) {
   if (typed.empty() && !palpate::window::displayOffered()) return printed(kFirstSteps);
   const std::vector<std::string> words = withMeantCommand(withPresentCommand(typed));
-  if (const std::optional<int> exit_code = handOver(words)) return *exit_code;
+  if (const std::optional<int> exit_code = delegateToFamily(words)) return *exit_code;
   Command app{"Palpate: feel, see and measure touch on a soft human body.", "palpate"};
   app.allow_windows_style_options(false);  // "/tmp" is a folder
   app.set_version_flag("--version", PALPATE_VERSION);

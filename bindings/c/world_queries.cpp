@@ -58,7 +58,7 @@ palpate_lump toCLump(const scene::PlacedLump& placed) noexcept {
   return lump;
 }
 
-palpate_place placeOf(const SkinPlace& at, std::string_view name) noexcept {
+palpate_place toPlace(const SkinPlace& at, std::string_view name) noexcept {
   palpate_place place = {};
   putVector(at.point, place.point_mm);
   putVector(at.normal, place.normal);
@@ -122,7 +122,7 @@ int32_t palpate_world_place(const palpate_world* world, const char* utf8_words, 
     require(world != nullptr && utf8_words != nullptr, "the world or the words are null");
     require(c_api::isUsable(place), "place is null, or its size is not set");
     const std::string name = body::placeNamed(world->world().body->anatomy.landmarks, utf8_words).name;
-    c_api::toCaller(c_api::placeOf(engine::skinPlace(world->world(), utf8_words), name), place);
+    c_api::toCaller(c_api::toPlace(engine::skinPlace(world->world(), utf8_words), name), place);
   });
 }
 
@@ -131,7 +131,7 @@ int32_t palpate_world_landmark(const palpate_world* world, size_t index, palpate
     require(world != nullptr && c_api::isUsable(place) && index < world->world().body->anatomy.landmarks.size(), "");
     const body::SkinLandmark& landmark = world->world().body->anatomy.landmarks[index];
     const SkinPlace at = {landmark.position, landmark.normal, kNoIndex};
-    c_api::toCaller(c_api::placeOf(at, body::spokenName(landmark.name)), place);
+    c_api::toCaller(c_api::toPlace(at, body::spokenName(landmark.name)), place);
   });
 }
 

@@ -22,7 +22,7 @@ void say(std::string_view text) {
   std::fflush(stderr);
 }
 
-ProgressLine::ProgressLine() : terminal_(system::messagesGoToATerminal()), next_(Clock::now()) {
+ProgressLine::ProgressLine() : terminal_(system::isStderrTerminal()), next_(Clock::now()) {
   if (!terminal_) next_ += kLogPause;
 }
 

@@ -39,10 +39,8 @@ namespace fs = std::filesystem;
 std::vector<trace::RecordedFinger> readRecordedFingers(const fs::path& file) {
   if (trace::isForcesTable(file)) return trace::readForcesTable(file);
   if (!fs::exists(file)) throw Error::inFile(file.string(), "no such file");
-  throw Error::inFile(file.string(),
-                      fmt::format("was not finished: the program ended while it wrote {}, which is as it was before; "
-                                  "this part of it is of no use",
-                                  file.stem().string()));
+  throw Error::inFile(file.string(), fmt::format("is an unfinished part of {}, which is unchanged; delete the part",
+                                                 file.stem().string()));
 }
 
 double peakForceN(const trace::RecordedFinger& finger) {

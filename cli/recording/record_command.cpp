@@ -117,7 +117,7 @@ std::size_t waitForRecordingEnd(engine::ServoThread& servo, engine::Recorder& re
                                 const std::vector<device::Device>& devices, double seconds, const scene::Scene& scene) {
   constexpr std::chrono::milliseconds kLook{20};
   constexpr int kLooksPerTending = 50;  // one second: a driver may be slow
-  const bool terminal = system::messagesGoToATerminal();
+  const bool terminal = system::isStderrTerminal();
   Lines lines;
   std::size_t marks = 0;
   if (terminal) say("Enter sets a mark (with what was typed before it), Ctrl+C ends the recording\n");

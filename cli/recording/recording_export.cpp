@@ -314,7 +314,8 @@ void requireFitting(const servo::TickSamples& frame, const scene::World& world) 
          {&contact.tip, &contact.proxy, &contact.anchor, &contact.hold, &contact.normal, &contact.force}) {
       fits = fits && place->allFinite();
     }
-    if (!fits) throw Error("the body is not the recorded one: what was touched is not on it");
+    if (!fits)
+      throw Error("the body differs from the recorded one; name the folder of the recorded body's files with --folder");
   }
 }
 

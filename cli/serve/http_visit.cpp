@@ -154,7 +154,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     if (request_.method() != http::verb::get && request_.method() != http::verb::head) {
       return refuse(http::status::method_not_allowed);
     }
-    if (path.starts_with(kServed)) return handOut(path);
+    if (path.starts_with(kServed)) return serveExhibit(path);
     const SiteFile* file = hall_.exhibits.site.find(path);
     if (file == nullptr) return refuse(http::status::not_found);
     if (toStringView(request_[http::field::if_none_match]) == file->tag) return unchanged(*file);
@@ -186,7 +186,7 @@ class Visit : public std::enable_shared_from_this<Visit> {
     return role;
   }
 
-  void handOut(std::string_view path) {
+  void serveExhibit(std::string_view path) {
     if (admitted(tokenIn(request_[http::field::authorization])) == Role::none) return;
     if (path == "/served/skin") return send(hall_.exhibits.skin, "application/octet-stream");
     if (path == "/served/forms") return send(hall_.exhibits.forms, "application/octet-stream");

@@ -75,7 +75,7 @@ void useDevices(const SimulationSettings& settings, const device::FingerPaths& p
   std::vector<device::Device> devices = openDevices(settings.devices, fingers);
   for (std::size_t i = 0; i < devices.size(); ++i) {
     if (devices[i].capabilities.rhythm != device::Rhythm::on_call && !settings.realtime) {
-      throw Error(devices[i].name + ": a hand takes its time: --realtime");
+      throw Error(devices[i].name + ": a haptic device runs by the clock; add --realtime");
     }
     devices[i] = placedDevice(devices[i], settings.devices[i], i, paths.tips[i]->front(), result.world->scene);
     servo::giveDevice(rig.fingers[i], devices[i]);

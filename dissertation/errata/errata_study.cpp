@@ -176,7 +176,7 @@ RunLook summariseRun(const Track& track) {
 }
 
 /// Triangles in the box round a proxy, ascending.
-std::vector<Index> inTheBox(hdb::HdbCandidates& candidates, const Box3& box) {
+std::vector<Index> trianglesInBox(hdb::HdbCandidates& candidates, const Box3& box) {
   candidates.refresh(box.center());
   std::vector<Index> triangles = candidates.near(box);
   std::sort(triangles.begin(), triangles.end());
@@ -192,8 +192,8 @@ void compareBoxes(const Track& ours, const Track& theirs, ErratumEffect& effect)
   for (std::size_t tick = 0; tick < ours.ticks(); tick += kTicksAPicture) {
     for (const contact::FingerOutput& finger : ours.tick(tick)) {
       const Box3 box(finger.proxy - half, finger.proxy + half);
-      const auto wanted = inTheBox(all, box);
-      const auto found = inTheBox(some, box);
+      const auto wanted = trianglesInBox(all, box);
+      const auto found = trianglesInBox(some, box);
       std::vector<Index> missed;
       std::set_difference(wanted.begin(), wanted.end(), found.begin(), found.end(), std::back_inserter(missed));
       if (missed.empty()) continue;

@@ -29,7 +29,7 @@ FindingValues shareValues(double share) {
   return {{"amount", share == 0.0 ? "none" : share == 1.0 ? "all" : "some"}, {"share", share}};
 }
 
-FindingValues ruleOfTheEdge(const HdbMeasurement& found) {
+FindingValues edgeRuleValues(const HdbMeasurement& found) {
   const PunctureRow& usual = rowAt(found.recommended, 500.0, 10);
   const double worst = std::max(mostPunctured(found.recommended), mostPunctured(found.fine_recommended));
   const std::size_t cells = found.recommended.size() + found.fine_recommended.size();
@@ -60,14 +60,14 @@ FindingValues marginOfDepth(const HdbMeasurement& found) {
           {"longest_edge_mm", found.fine_triangle_edge}};
 }
 
-FindingValues leadOfTheBox(const HdbMeasurement& found) {
+FindingValues boxLeadValues(const HdbMeasurement& found) {
   const double below = leastPunctured(found.leads, kTooSmall);
   const double above = mostPunctured(found.leads, kLargeEnough);
   return {{"decides", below > 0.5 && above < 0.5}, {"too_small", kTooSmall},      {"below", shareValues(below)},
           {"large_enough", kLargeEnough},          {"above", shareValues(above)}, {"some_above", above > 0.0}};
 }
 
-FindingValues quarterOfTheModel(const HdbMeasurement& found) {
+FindingValues quarterBoxSpeedValues(const HdbMeasurement& found) {
   const Extent printed = printedDelays();
   const auto safe = [&](double share, double delay) {
     return safeSpeed(share * found.longest_edge, delay, found.depth_mm);
@@ -91,7 +91,7 @@ FindingValues quarterOfTheModel(const HdbMeasurement& found) {
           {"times", at_100_hz / fastest}};
 }
 
-FindingValues costOfAQuarter(const HdbMeasurement& found) {
+FindingValues quarterBoxCostValues(const HdbMeasurement& found) {
   const HdbSizeRow& quarter = quarterRow(found);
   const auto all = static_cast<double>(found.plan.triangles);
   return {{"model", all},
@@ -124,7 +124,7 @@ const char* hybridGainRange(double on_smallest, double on_largest) {
 }
 
 /// The hybrid on the largest model, against the other lists in the same run; null where none was measured.
-FindingValues listsOfTheBox(const HdbMeasurement& found) {
+FindingValues boxListValues(const HdbMeasurement& found) {
   const ListCosts& costs = found.lists;
   if (costs.models.empty()) return {};
   const std::size_t model = costs.models.back();
@@ -200,14 +200,14 @@ std::vector<std::string> hdbFindings(const HdbMeasurement& found) {
   const double through = found.else_if_punctured;
   return formatFindings(
       texts::hdb_findings,
-      {{"rule", ruleOfTheEdge(found)},
+      {{"rule", edgeRuleValues(found)},
        {"margin", marginOfDepth(found)},
-       {"lead", leadOfTheBox(found)},
-       {"quarter", quarterOfTheModel(found)},
-       {"cost", costOfAQuarter(found)},
+       {"lead", boxLeadValues(found)},
+       {"quarter", quarterBoxSpeedValues(found)},
+       {"cost", quarterBoxCostValues(found)},
        {"leaves", {{"hidden", hiddenByLeaves(found)}}},
        {"else_if", {{"through", through != 0.0}, {"least", shareValues(through)}, {"some", through < 1.0}}},
-       {"list", listsOfTheBox(found)}});
+       {"list", boxListValues(found)}});
 }
 
 }  // namespace palpate::study

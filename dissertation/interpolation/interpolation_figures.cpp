@@ -205,7 +205,7 @@ Figure backOverWidths(double step_mm) {
   return threeMaps(std::move(panels));
 }
 
-Figure backByInterpolator(double step_mm) {
+Figure interpolatorMapFigure(double step_mm) {
   const TensorSet keys = meanSet(maps::ForceDirection::up);
   std::vector<figures::Panel> panels;
   for (const auto& [title, interpolator] :

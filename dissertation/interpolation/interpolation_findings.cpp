@@ -73,7 +73,7 @@ FindingValues effectOfWidth(const InterpolationResults& results) {
           {"error_mm", results.subjects[1].rms_mm}};
 }
 
-FindingValues upAgainstDown(const InterpolationResults& results) {
+FindingValues upDownValues(const InterpolationResults& results) {
   const double chance = results.expected_up_down_mm;
   return {{"rms_mm", results.up_down_mm},
           {"most_mm", results.up_down_most_mm},
@@ -99,7 +99,7 @@ std::vector<std::string> interpolationFindings(const InterpolationResults& resul
                          {"accuracy", accuracyOfInterpolation(results)},
                          {"quadratic", {{"undetermined", quadratic.undetermined}, {"cases", cases}}},
                          {"width", effectOfWidth(results)},
-                         {"up_down", upAgainstDown(results)}});
+                         {"up_down", upDownValues(results)}});
 }
 
 }  // namespace palpate::study

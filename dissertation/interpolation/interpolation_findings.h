@@ -22,7 +22,7 @@ figures::Figure widthSections();
 /// Figure 5.11 for three effect radii. `step_mm` between two values.
 figures::Figure backOverWidths(double step_mm);
 /// The half major axis over the back by GRI, thin plate and plane.
-figures::Figure backByInterpolator(double step_mm);
+figures::Figure interpolatorMapFigure(double step_mm);
 /// Maps of ellipses dragged up and down, and their differences.
 figures::Figure upAndDown(double step_mm);
 

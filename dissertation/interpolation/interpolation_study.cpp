@@ -195,7 +195,7 @@ std::vector<StudyFigure> makeFigures(const InterpolationResults& results, bool q
        "their boundaries are apart.",
        upAndDown(step)},
       {"interpolation_methods", "What three interpolations make of the same seven key points.",
-       backByInterpolator(step)},
+       interpolatorMapFigure(step)},
       {"interpolation_left_out",
        "Errors of predicted ellipses: by interpolation (degree 2 is far above), and of GRI over its "
        "width.",

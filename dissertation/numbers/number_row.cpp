@@ -56,7 +56,7 @@ const Misprint* findMisprint(const NumberRow& row, double ours) {
 }
 
 // Two digits more than printed; a fraction in decimals.
-std::string oursText(std::string_view printed, double ours) {
+std::string formatComputed(std::string_view printed, double ours) {
   constexpr int kMore = 2;
   const bool is_fraction = printed.find('/') != std::string_view::npos;
   return is_fraction ? fmt::format("{:.6g}", ours)
@@ -100,7 +100,7 @@ NumberRow judged(std::string where, std::string what, const std::string& printed
   NumberRow row{.where = std::move(where),
                 .what = std::move(what),
                 .printed = printed,
-                .ours = oursText(printed, ours),
+                .ours = formatComputed(printed, ours),
                 .verdict = reproducedFrom(source),
                 .erratum = Erratum::none,
                 .reason = std::move(reason),

@@ -23,16 +23,16 @@ constexpr double kNoticed = 0.07;
 
 FindingValues heldSkin(const RelaxationMeasurement& found) {
   const RelaxingSkin& offered = found.skins.at(1);
-  const double at_last = lostAfter(offered, heldTimes().back());
+  const double at_last = lostForceShare(offered, heldTimes().back());
   return {{"depth_mm", found.depth_mm},
           {"at_once_n", offered.held_n.front()},
-          {"half", lostAfter(offered, 0.5)},
-          {"one", lostAfter(offered, 1.0)},
+          {"half", lostForceShare(offered, 0.5)},
+          {"one", lostForceShare(offered, 1.0)},
           {"ten", at_last},
           {"noticed", at_last > kNoticed}};
 }
 
-FindingValues againstBeef(const RelaxationMeasurement& found) {
+FindingValues beefLossValues(const RelaxationMeasurement& found) {
   double worst = 0.0;
   std::vector<double> losses;
   for (const BeefLoss& loss : beefLosses(found)) {
@@ -42,7 +42,7 @@ FindingValues againstBeef(const RelaxationMeasurement& found) {
   return {{"lost", losses}, {"near", worst < kBeefBar}, {"worst", worst}};
 }
 
-FindingValues pressedAndLetGo(const RelaxationMeasurement& found) {
+FindingValues pressCycleValues(const RelaxationMeasurement& found) {
   const auto less = [](const PressCycle& a, const PressCycle& b) { return a.lost_share < b.lost_share; };
   const auto [least, most] = std::minmax_element(found.cycles.begin(), found.cycles.end(), less);
   return {{"most", most->lost_share},
@@ -64,7 +64,7 @@ FindingValues frictionOverTime(const RelaxationMeasurement& found) {
 
 }  // namespace
 
-double lostAfter(const RelaxingSkin& skin, double seconds) {
+double lostForceShare(const RelaxingSkin& skin, double seconds) {
   const std::vector<double> times = heldTimes();
   const auto nearest = std::min_element(
       times.begin(), times.end(), [&](double a, double b) { return std::abs(a - seconds) < std::abs(b - seconds); });
@@ -74,7 +74,7 @@ double lostAfter(const RelaxingSkin& skin, double seconds) {
 std::vector<BeefLoss> beefLosses(const RelaxationMeasurement& found) {
   std::vector<BeefLoss> losses;
   for (const Recorded& recorded : kBeef) {
-    losses.push_back({recorded.seconds, recorded.lost, lostAfter(found.skins.at(2), recorded.seconds)});
+    losses.push_back({recorded.seconds, recorded.lost, lostForceShare(found.skins.at(2), recorded.seconds)});
   }
   return losses;
 }
@@ -84,9 +84,9 @@ std::vector<std::string> relaxationFindings(const RelaxationMeasurement& found) 
   return formatFindings(
       texts::relaxation_findings,
       {{"held", heldSkin(found)},
-       {"cycle", pressedAndLetGo(found)},
+       {"cycle", pressCycleValues(found)},
        {"return", {{"dent_mm", dent.front()}, {"last_s", returnTimes().back()}, {"last_dent_mm", dent.back()}}},
-       {"beef", againstBeef(found)},
+       {"beef", beefLossValues(found)},
        {"friction", frictionOverTime(found)}});
 }
 

@@ -42,7 +42,7 @@ RelaxationMeasurement measureRelaxation(bool quick, const Progress& progress);
 // Findings from a measurement of relaxing skin, in sentences whose verdicts its numbers decide.
 
 /// Share of the immediate force lost after `seconds` of holding, at the nearest of heldTimes().
-double lostAfter(const RelaxingSkin& skin, double seconds);
+double lostForceShare(const RelaxingSkin& skin, double seconds);
 
 /// Recorded losses of dead beef and those of the skin that models it, at 0.2, 0.5, 1 and 10 s: shares of the force
 /// (docs/explanation/force-laws.md).

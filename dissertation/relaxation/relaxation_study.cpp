@@ -65,7 +65,7 @@ TextTable heldTable(const RelaxationMeasurement& found) {
   for (const double shown : {0.0, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0}) {
     std::vector<std::string> row = {fmt::format("{}", shown)};
     for (const RelaxingSkin& skin : found.skins) {
-      row.push_back(fmt::format("{:.3f}", skin.held_n.front() * (1.0 - lostAfter(skin, shown))));
+      row.push_back(fmt::format("{:.3f}", skin.held_n.front() * (1.0 - lostForceShare(skin, shown))));
     }
     table.rows.push_back(std::move(row));
   }
@@ -113,8 +113,8 @@ StudyPage studyRelaxation(const StudySettings& settings) {
                        "finger has left.",
                        Figure{.panels = {heldPlot(found), cyclePlot(found), returnPlot(found)}, .columns = 3}}},
           .numbers = {{"force_at_once_n", offered.held_n.front()},
-                      {"lost_after_0_5_s", lostAfter(offered, 0.5)},
-                      {"lost_after_10_s", lostAfter(offered, 10.0)},
+                      {"lost_after_0_5_s", lostForceShare(offered, 0.5)},
+                      {"lost_after_10_s", lostForceShare(offered, 10.0)},
                       {"dent_mm", offered.dent_mm.front()},
                       {"work_lost_share_least", leastLost(found)},
                       {"friction_ratio_low", offered.friction_low},

@@ -124,7 +124,7 @@ const FiniteElements::Answer& FiniteElements::answerAt(std::size_t vertex) {
   for (const Answer& answer : answers_) {
     if (answer.vertex == vertex) return answer;
   }
-  const std::size_t top = block_.firstOfTop();
+  const std::size_t top = block_.firstTopNode();
   Eigen::VectorXd force = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_));
   force[unknown_of_[3 * (top + vertex) + 2]] = -1.0;
   const Eigen::VectorXd moved = factor_.solve(force);
@@ -140,7 +140,7 @@ const FiniteElements::Answer& FiniteElements::answerAt(std::size_t vertex) {
 }
 
 PressedSurface FiniteElements::press(double central_depth_mm) {
-  const std::size_t top = block_.firstOfTop();
+  const std::size_t top = block_.firstTopNode();
   const auto wanted = [&](std::size_t v) {
     return ballDepth(block_.place(top + v).head<2>().norm(), central_depth_mm);
   };

@@ -27,7 +27,7 @@ FreeForm::FreeForm(const TissueBlock& block, double lattice_mm) : lattice_mm_(la
   std::size_t points = 1;
   for (const int along : points_) points *= static_cast<std::size_t>(along);
   moves_.resize(points);
-  for (std::size_t n = block.firstOfTop(); n < block.nodes(); ++n) vertices_.push_back(vertexAt(block.place(n)));
+  for (std::size_t n = block.firstTopNode(); n < block.nodes(); ++n) vertices_.push_back(vertexAt(block.place(n)));
   middle_ = vertexAt(Vec3::Zero());
 }
 

@@ -74,7 +74,7 @@ double MassSpring::moveAll(bool from_standstill) {
 
 // Nodes of the skin that came into the ball go straight down onto it, without friction; the force that it takes.
 double MassSpring::holdOutOfBall(double central_depth_mm) {
-  const std::size_t top = block_.firstOfTop();
+  const std::size_t top = block_.firstTopNode();
   double force = 0.0;
   for (std::size_t v = 0; v < touched_.size(); ++v) {
     const double depth = ballDepth(block_.place(top + v).head<2>().norm(), central_depth_mm);
@@ -92,7 +92,7 @@ double MassSpring::restlessForce() const {
   double most = 0.0;
   for (std::size_t n = 0; n < forces_.size(); ++n) {
     for (int axis = 0; axis < 3; ++axis) {
-      const bool held = n >= block_.firstOfTop() && axis == 2 && touched_[n - block_.firstOfTop()];
+      const bool held = n >= block_.firstTopNode() && axis == 2 && touched_[n - block_.firstTopNode()];
       if (!held && !block_.isFixed(n, axis)) most = std::max(most, std::abs(forces_[n][axis]));
     }
   }
@@ -118,7 +118,7 @@ PressedSurface MassSpring::press(double central_depth_mm) {
     energy = stopped ? 0.0 : moving;
     if (restlessForce() < kAtRest * force) break;
   }
-  const auto top = static_cast<std::ptrdiff_t>(block_.firstOfTop());
+  const auto top = static_cast<std::ptrdiff_t>(block_.firstTopNode());
   return {.displacements = {displacements_.begin() + top, displacements_.end()}, .force_n = force};
 }
 

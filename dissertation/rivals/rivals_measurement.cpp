@@ -42,7 +42,7 @@ void judge(RivalRow& row, const TissueBlock& block) {
   double all2 = 0.0;
   int judged = 0;
   for (std::size_t v = 0; v < row.vertices; ++v) {
-    row.rest.push_back(block.place(block.firstOfTop() + v));
+    row.rest.push_back(block.place(block.firstTopNode() + v));
     const Vec2 place = row.rest.back().head<2>();
     if (place.norm() > kJudgedMm) continue;
     const Vec3 off = row.displacements[v] - trueDisplacement(row.truth, place);

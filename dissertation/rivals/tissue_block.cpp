@@ -41,7 +41,7 @@ bool TissueBlock::isFixed(std::size_t node, int axis) const {
 
 mesh::TriangleMesh TissueBlock::skin() const {
   mesh::TriangleMesh skin;
-  for (std::size_t n = firstOfTop(); n < nodes(); ++n) skin.positions.push_back(place(n));
+  for (std::size_t n = firstTopNode(); n < nodes(); ++n) skin.positions.push_back(place(n));
   const auto corner = [this](int i, int j) { return static_cast<Index>(j * (cells_ + 1) + i); };
   for (int j = 0; j < cells_; ++j) {
     for (int i = 0; i < cells_; ++i) {

@@ -36,8 +36,8 @@ class TissueBlock {
   /// True if the node does not move along that axis.
   bool isFixed(std::size_t node, int axis) const;
 
-  /// The top level: its vertices are the nodes from firstOfTop() on.
-  std::size_t firstOfTop() const { return nodes() - nodesOfALevel(); }
+  /// The top level: its vertices are the nodes from firstTopNode() on.
+  std::size_t firstTopNode() const { return nodes() - nodesOfALevel(); }
   mesh::TriangleMesh skin() const;
 
  private:

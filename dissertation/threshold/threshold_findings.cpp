@@ -89,7 +89,7 @@ Extent spread(const std::vector<ThresholdRow>& rows, double ThresholdRow::*value
   return times;
 }
 
-FindingValues ourOwnList(const ThresholdMeasurement& found) {
+FindingValues ownListValues(const ThresholdMeasurement& found) {
   const auto factor = [&](double ThresholdRow::*value) {
     return overallExtent(found,
                          [&](const std::vector<ThresholdRow>& rows) {
@@ -135,7 +135,7 @@ std::vector<std::string> thresholdFindings(const ThresholdMeasurement& found) {
                                                     {"size", sizesForPrinted(found)},
                                                     {"reason", findingOfLeaves(found)},
                                                     {"small_model", smallModel(found)},
-                                                    {"own", ourOwnList(found)},
+                                                    {"own", ownListValues(found)},
                                                     {"drawing", thresholdsWithDrawing(found)}});
 }
 

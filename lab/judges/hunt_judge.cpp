@@ -105,7 +105,7 @@ void HuntOracle::add(const contact::FingerOutput& o) {
     ++report_.events;
   } else {
     if (first_) exempt_ = body_.inside(o.tip);
-    if (!first_) judgeStep(o);
+    if (!first_) judgeForceStep(o);
     if (touches(o)) {
       ++report_.touching_ticks;
       judgeTouching(o);
@@ -124,7 +124,7 @@ void HuntOracle::add(const contact::FingerOutput& o) {
   ++report_.ticks;
 }
 
-void HuntOracle::judgeStep(const contact::FingerOutput& o) {
+void HuntOracle::judgeForceStep(const contact::FingerOutput& o) {
   const double motion = (o.tip - last_tip_).norm();
   const double bound =
       kStepShare * stiffness_ * (kProxyAndTip * motion + settings_.catch_up_mm_per_s * settings_.tick_s);

@@ -194,7 +194,7 @@ class HuntOracle {
     bool inside = false;
   };
 
-  void judgeStep(const contact::FingerOutput& o);
+  void judgeForceStep(const contact::FingerOutput& o);
   void judgeFree(const contact::FingerOutput& o);
   void judgeFreeBesideBorder(const contact::FingerOutput& o);
   bool isBackOfFold(const Vec3& point);

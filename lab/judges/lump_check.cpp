@@ -82,7 +82,7 @@ void LumpCheck::add(std::size_t finger, const contact::LumpPress& press, const c
                     const contact::FingerOutput& felt) {
   if ((felt.status & contact::kTipLost) != 0) return;
   Last& last = last_[finger];
-  if (last.known) judgeStep(last, felt);
+  if (last.known) judgeForceStep(last, felt);
   judgeForce(press, places, felt);
   last = {true, felt.tip, felt.lump_force};
 }
@@ -119,7 +119,7 @@ void LumpCheck::judgeForce(const contact::LumpPress& press, const contact::LumpP
   if (!(off <= bound)) found(Fault::lump_force, "force of lumps beside the slope of their energy, N", off, bound);
 }
 
-void LumpCheck::judgeStep(const Last& last, const contact::FingerOutput& felt) {
+void LumpCheck::judgeForceStep(const Last& last, const contact::FingerOutput& felt) {
   constexpr double kLoose = 6.0;  // a normal that turns, a mixed slope, a lump that is faced less
   const double motion_mm = 3.0 * (felt.tip - last.tip).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
   const double bound = kLoose * steepest_n_per_mm_ * (motion_mm + shifted_mm_) + kLumpRounding;

@@ -22,7 +22,7 @@ namespace {
 /// Short enough that an interruption of the system spoils few, long enough for the clock.
 constexpr std::uint64_t kRecordedTicks = 250;
 
-std::vector<trace::RecordingFinger> fingersOf(const scene::World& world) {
+std::vector<trace::RecordingFinger> makeRecordingFingers(const scene::World& world) {
   std::vector<trace::RecordingFinger> fingers;
   for (const scene::Finger& finger : world.scene.fingers) fingers.push_back({finger.name, "script"});
   return fingers;
@@ -93,7 +93,7 @@ void measureHandOver(const scene::World& world, const device::FingerPaths& paths
                      RecordingRun& run) {
   constexpr double kMeasuredS = 3.0;
   trace::RecordingWriter writer(settings.folder / "hand_over.session", engine::recordingHeader(world.scene.ticks_per_s),
-                                fingersOf(world));
+                                makeRecordingFingers(world));
   servo::LoopLinks links(run.fingers, std::size_t{1} << 16, servo::kRecordCapacity);
   Ticks ticks(world, paths);
   std::vector<double> with;
@@ -130,7 +130,7 @@ void record(const scene::World& world, const device::FingerPaths& paths, const R
   const double rate = world.scene.ticks_per_s;
   const auto count = static_cast<std::uint64_t>(settings.seconds * rate);
   Ticks ticks(world, paths);
-  trace::RecordingWriter writer(file, engine::recordingHeader(rate), fingersOf(world));
+  trace::RecordingWriter writer(file, engine::recordingHeader(rate), makeRecordingFingers(world));
   writer.add(engine::recordingWorld(world, engine::feltWith(ticks.rig())));
   double written_s = 0.0;
   for (std::uint64_t k = 0; k < count; ++k) {
@@ -162,7 +162,8 @@ void writeLong(const scene::World& world, const RecordingRunSettings& settings, 
     part.insert(part.end(), samples.begin(), samples.end());
     return true;
   });
-  trace::RecordingWriter writer(settings.folder / "long.session", engine::recordingHeader(rate), fingersOf(world));
+  trace::RecordingWriter writer(settings.folder / "long.session", engine::recordingHeader(rate),
+                                makeRecordingFingers(world));
   const auto parts = static_cast<std::uint64_t>(3600.0 * settings.long_hours);
   for (std::uint64_t i = 0; i < parts; ++i) {
     if (i % 60 == 0) report(progress, "writing a long recording", static_cast<double>(i) / static_cast<double>(parts));

@@ -84,15 +84,15 @@ std::string describeProgress(const classroom::StationState& state) {
   }
 }
 
-bool isTelling(const classroom::StationState& state) {
-  return training::ThresholdSummary{.median = state.threshold, .low = state.low, .high = state.high}.telling();
+bool hasConclusiveThreshold(const classroom::StationState& state) {
+  return training::ThresholdSummary{.median = state.threshold, .low = state.low, .high = state.high}.isConclusive();
 }
 
 std::string formatLevel(const classroom::StationState& state) {
   std::string words = state.change > 0.0 ? trf("level {:.0f} %", 100.0 * state.change) : std::string();
   if (state.threshold > 0.0) {
     words += (words.empty() ? "" : ", ") +
-             (isTelling(state)
+             (hasConclusiveThreshold(state)
                   ? trf("{:.0f} % ({:.0f} to {:.0f} %)", 100.0 * state.threshold, 100.0 * state.low, 100.0 * state.high)
                   : tr(training::kMoreTrialsNeeded));
   }
@@ -211,7 +211,7 @@ void thresholdBand(const classroom::StationState& state) {
     ImGui::TextDisabled("%s", tr("No result yet"));
     return;
   }
-  if (!isTelling(state)) {
+  if (!hasConclusiveThreshold(state)) {
     ImGui::TextDisabled("%s", tr("Smallest reliable change: more trials needed"));
     return;
   }

@@ -95,7 +95,7 @@ Finding checkConnection(const Member& member) {
   return {fmt::format("{} connects to {}:{}", member.name, member.host, member.port), good, link.trouble()};
 }
 
-Finding checkShutOut(const Member& member) {
+Finding checkCertificateNeeded(const Member& member) {
   MqttSettings settings = classroom::makeMqttSettings(member);
   settings.certificate.clear();
   settings.key.clear();
@@ -143,7 +143,7 @@ std::vector<Finding> findingsOfClass(const classroom::ClassFolder& folder) {
   const Member checker = classroom::readMember(folder.checker());
   findings.push_back(checkConnection(checker));
   if (!findings.back().good) return findings;
-  findings.push_back(checkShutOut(checker));
+  findings.push_back(checkCertificateNeeded(checker));
   findings.push_back(checkCollector(checker));
   return findings;
 }

@@ -136,8 +136,8 @@ void addClassAddStationCommand(Command& parent) {
 }
 
 void addClassRemoveStationCommand(Command& parent) {
-  const auto [command, arguments] =
-      addCommand(parent, "remove-station", "Let a station in no longer: its folder was lost", runRemoveStation);
+  const auto [command, arguments] = addCommand(
+      parent, "remove-station", "Revoke a station's certificate, e.g. when its folder was lost", runRemoveStation);
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
   command.add_option("NAME", arguments.name, "Which station: s01")->required();
   command.add_flag("--yes", arguments.yes, "Do not ask");

@@ -106,7 +106,7 @@ class BrokerKeeper {
       : folder_(folder), broker_(folder, folder.broker() / "broker.log"), files_(brokerFiles(folder)) {}
 
   bool running() { return broker_.running(); }
-  void attend() {
+  void supervise() {
     const BrokerFiles files = brokerFiles(folder_);
     const bool changed = files != files_;
     if (!changed && broker_.running()) return;
@@ -152,7 +152,7 @@ void runClassServe(const ClassServeArguments& arguments) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     if (Clock::now() < next) continue;
     next += std::chrono::seconds(1);
-    if (broker) broker->attend();
+    if (broker) broker->supervise();
     if (Clock::now() >= warns_next) {
       warnAboutCertificates(folder);
       warns_next += kWarnsAgain;

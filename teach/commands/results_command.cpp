@@ -139,7 +139,7 @@ std::string thresholdText(const BlockRow& block) {
   }
   const training::ThresholdSummary shown{
       .median = block.threshold, .low = block.threshold_low, .high = block.threshold_high};
-  if (!shown.telling()) return tr(training::kMoreTrialsNeeded);
+  if (!shown.isConclusive()) return tr(training::kMoreTrialsNeeded);
   return trf("{} % ({} to {} %)", resultsPercent(block.threshold), resultsPercent(block.threshold_low),
              resultsPercent(block.threshold_high));
 }

@@ -91,7 +91,7 @@ std::string resultSentence(const TraineeStatistics& trainee, bool found_lumps) {
   if (found_lumps && trainee.points.empty()) return {};  // sessions with lumps alone have sentences of their own
   if (latest == nullptr) return tr("No result yet: no block has enough answers for a threshold.");
   const auto& t = *latest->threshold;
-  if (!t.telling()) {
+  if (!t.isConclusive()) {
     return trnf("Smallest reliable change: more trials needed ({} answer so far, in the {} of {}).",
                 "Smallest reliable change: more trials needed ({} answers so far, in the {} of {}).",
                 static_cast<std::size_t>(latest->trials.counted), latest->trials.counted,
@@ -317,7 +317,7 @@ std::string formatChange(double change) {
 }
 
 std::string formatThreshold(double median, double low, double high) {
-  if (!training::ThresholdSummary{.median = median, .low = low, .high = high}.telling()) {
+  if (!training::ThresholdSummary{.median = median, .low = low, .high = high}.isConclusive()) {
     return tr(training::kMoreTrialsNeeded);
   }
   const std::string from = formatChange(low);

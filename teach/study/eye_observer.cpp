@@ -116,7 +116,7 @@ EyeMeasurement measureEye(std::uint64_t seed, std::size_t tests, int sites, cons
 
 bool eyeBarsMet(const EyeMeasurement& found) {
   const training::ThresholdSummary& threshold = found.first.threshold;
-  return threshold.telling() && stiffnessShare(threshold.median) <= kStiffnessBar &&
+  return threshold.isConclusive() && stiffnessShare(threshold.median) <= kStiffnessBar &&
          std::min(found.d_prime_sink, found.d_prime_rings) >= kDPrimeBar;
 }
 

@@ -183,7 +183,7 @@ std::string timesFinding(const TrainingMeasurement& found) {
                      found.next_level_us_p50, found.next_level_us_p99);
 }
 
-std::string simulatedFinding() {
+std::string simulationCaveat() {
   return "All of this is simulated: trainees who are a psychometric function, do not tire and do not learn within a "
          "test. What a finger, a device and a motor habit add is not in it, and nothing here says that a small "
          "threshold is skill on patients.";
@@ -206,7 +206,7 @@ std::vector<std::string> trainingFindings(const TrainingMeasurement& found) {
   add(learnersFinding(found));
   add(exampleFinding(found));
   add(timesFinding(found));
-  add(simulatedFinding());
+  add(simulationCaveat());
   return findings;
 }
 

@@ -25,7 +25,7 @@ TrainingStroke pressed(const TrainingScreen& screen, std::size_t index) {
   return {.kind = StrokeKind::press_button, .click = {button.act, button.value}};
 }
 
-TrainingStroke acting(const TrainingScreen& screen, TrainingAct act) {
+TrainingStroke strokeForAct(const TrainingScreen& screen, TrainingAct act) {
   const auto found = std::ranges::find(screen.buttons, act, &TrainingButton::act);
   return pressed(screen, static_cast<std::size_t>(found - screen.buttons.begin()));
 }
@@ -47,7 +47,7 @@ TrainingStroke focusMoved(const TrainingScreen& screen, bool forward) {
 /// Back: whatever of these the screen offers.
 TrainingStroke escaped(const TrainingScreen& screen) {
   for (const TrainingAct act : {TrainingAct::leave, TrainingAct::no, TrainingAct::sign_out}) {
-    if (const TrainingStroke stroke = acting(screen, act); stroke.kind != StrokeKind::nothing) return stroke;
+    if (const TrainingStroke stroke = strokeForAct(screen, act); stroke.kind != StrokeKind::nothing) return stroke;
   }
   return {};
 }
@@ -63,9 +63,9 @@ Vec2 keyDirection(Key key) {
 TrainingStroke onTrial(const window::InputEvent& event, const TrainingScreen& screen) {
   if (const Vec2 by = keyDirection(event.key); by != Vec2::Zero()) return {.kind = StrokeKind::walk, .by = by};
   if (event.key == Key::space && !event.repeat) return {.kind = StrokeKind::touch};
-  if (event.key == Key::enter || event.key == Key::pad_enter) return acting(screen, TrainingAct::answer);
+  if (event.key == Key::enter || event.key == Key::pad_enter) return strokeForAct(screen, TrainingAct::answer);
   if (event.key == Key::backspace) return {.kind = StrokeKind::erase};
-  if (event.key == window::key('P')) return acting(screen, TrainingAct::pause);
+  if (event.key == window::key('P')) return strokeForAct(screen, TrainingAct::pause);
   return {};
 }
 
@@ -74,7 +74,8 @@ TrainingStroke onCard(const window::InputEvent& event, const TrainingScreen& scr
     if (const Vec2 by = keyDirection(event.key); by != Vec2::Zero()) return {.kind = StrokeKind::walk, .by = by};
     if (event.key == window::key('T') && !event.repeat) return {.kind = StrokeKind::touch};
     if (event.key == Key::backspace) return {.kind = StrokeKind::erase};
-    if (event.key == window::key('P') && offers(screen, TrainingAct::pause)) return acting(screen, TrainingAct::pause);
+    if (event.key == window::key('P') && offers(screen, TrainingAct::pause))
+      return strokeForAct(screen, TrainingAct::pause);
   }
   const bool back = event.key == Key::left || event.key == Key::up;
   const bool on = event.key == Key::right || event.key == Key::down || event.key == Key::tab;
@@ -82,7 +83,7 @@ TrainingStroke onCard(const window::InputEvent& event, const TrainingScreen& scr
   if (event.key == Key::enter || event.key == Key::pad_enter) return pressed(screen, screen.focus);
   if (event.key == Key::backspace) return {.kind = StrokeKind::erase};
   if (event.key == Key::space && !screen.entry) return pressed(screen, screen.focus);
-  if (event.key == window::key('P')) return acting(screen, TrainingAct::go_on);
+  if (event.key == window::key('P')) return strokeForAct(screen, TrainingAct::go_on);
   return {};
 }
 

@@ -39,7 +39,7 @@ std::string languageCode() { return std::string(language().code); }
 
 void endInOrder(std::unique_ptr<system::FedProgram>& program) {
   if (!program) return;
-  program->askToEnd();
+  program->sendInterrupt();
   program->finish();
   program.reset();
 }

@@ -59,7 +59,7 @@ mesh::Format detectFormat(std::string_view name) {
 }
 
 /// A TOML string of one line, without the characters that it may not have.
-std::string quoted(const std::string& text) {
+std::string quoteToml(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -109,7 +109,7 @@ std::string sceneText(const scene::Scene& scene) {
   if (body.kind == scene::BodyKind::trunk) {
     text += fmt::format("kind = \"trunk\"\ntriangles = {}\n", body.triangles);
   } else {
-    text += fmt::format("kind = \"mesh\"\nfile = {}\n", quoted(body.file.string()));
+    text += fmt::format("kind = \"mesh\"\nfile = {}\n", quoteToml(body.file.string()));
     // A file's own unit is the command's default too; any other is a scale of millimetres.
     if (body.scale > 0.0) text += fmt::format("unit = \"mm\"\nscale = {}\n", body.scale);
   }
@@ -121,7 +121,7 @@ std::string sceneText(const scene::Scene& scene) {
     text += fmt::format(
         "\n[[lump]]\nname = {}\nat = {}\ndepth_mm = {}\ndiameter_mm = {}\nstiffness_ratio = {}\n"
         "mobility_mm_per_n = {}\n",
-        quoted(lump.name), quoted(lump.at), lump.depth_mm, lump.diameter_mm, lump.stiffness_ratio,
+        quoteToml(lump.name), quoteToml(lump.at), lump.depth_mm, lump.diameter_mm, lump.stiffness_ratio,
         lump.mobility_mm_per_n);
   }
   return text;
@@ -335,7 +335,7 @@ PALPATE_EXPORT const float* palpate_frame_values() { return frame.values().data(
 PALPATE_EXPORT std::size_t palpate_frame_floats() { return frame.values().size(); }
 
 PALPATE_EXPORT std::size_t palpate_recorded() { return body->recording().size(); }
-PALPATE_EXPORT void palpate_record_anew() { body->recordAnew(); }
+PALPATE_EXPORT void palpate_record_anew() { body->restartRecording(); }
 PALPATE_EXPORT const char* palpate_forces_csv() { return keptText(body->recording().asForcesCsv()); }
 PALPATE_EXPORT const char* palpate_scene_toml() { return keptText(sceneText(body->world().scene)); }
 

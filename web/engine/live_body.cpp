@@ -72,7 +72,7 @@ void LiveBody::packFrame(FramePacker& frame, bool all) {
   all ? frame.packAll(skin) : frame.pack(skin);
 }
 
-void LiveBody::recordAnew() {
+void LiveBody::restartRecording() {
   recording_ = Recording();
   tick_ = 0;
 }

@@ -83,7 +83,7 @@ class LiveBody {
 
   const Recording& recording() const { return recording_; }
   /// Forgets what was recorded; time begins again.
-  void recordAnew();
+  void restartRecording();
 
  private:
   struct Finger {

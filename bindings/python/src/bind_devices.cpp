@@ -27,7 +27,7 @@ LentDevices::LentDevices(std::vector<DevicePointer> handles) : handles_(std::mov
   }
 }
 
-void LentDevices::giveBack() {
+void LentDevices::releaseDevices() {
   guards_.clear();
   handles_.clear();
 }

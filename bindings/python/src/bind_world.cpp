@@ -180,7 +180,7 @@ const scene::World& worldFrom(const py::object& self) { return *self.cast<const 
 
 Int32Array indexMapView(const py::object& self, std::vector<Index> SourceMaps::*map) {
   const auto& maps = self.cast<const WorldHandle&>().maps;
-  if (!maps) throw Error("this world was made of no mesh: only from_arrays and from_file know who became whom");
+  if (!maps) throw Error("this World has no index maps: only those of from_arrays and from_file have them");
   return arrayView((*maps).*map, self);
 }
 

@@ -27,7 +27,7 @@ class LentDevices {
   explicit LentDevices(std::vector<DevicePointer> handles);
 
   std::vector<device::Device> devices() const;
-  void giveBack();
+  void releaseDevices();
 
  private:
   std::vector<DevicePointer> handles_;

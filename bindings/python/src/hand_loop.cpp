@@ -98,7 +98,7 @@ void HandLoop::close(std::string_view ended_by) {
   if (writer_) writer_->finish(ended_by);
   writer_.reset();
   rig_.fingers.clear();
-  lent_.giveBack();
+  lent_.releaseDevices();
 }
 
 }  // namespace palpate::python

@@ -32,7 +32,7 @@ class ThreadPool::Impl {
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
-  bool areHere() const { return process_ == getpid(); }
+  bool belongsToThisProcess() const { return process_ == getpid(); }
 
   void share(std::size_t parts, const Part& work, Interrupts& interrupts) {
     const Pause pause(interrupts, stop_);
@@ -115,13 +115,13 @@ void ThreadPool::share(std::size_t parts, const Part& work, Interrupts& interrup
     for (std::size_t part = 0; part < parts; ++part) work(part, pause);
     return;
   }
-  if (impl_ && !impl_->areHere()) (void)impl_.release();  // the parent's: nothing of it may be touched
+  if (impl_ && !impl_->belongsToThisProcess()) (void)impl_.release();  // the parent's: nothing of it may be touched
   if (!impl_) impl_ = std::make_unique<Impl>(threads_ - 1);
   impl_->share(parts, work, interrupts);
 }
 
 void ThreadPool::close() noexcept {
-  if (impl_ && !impl_->areHere()) (void)impl_.release();
+  if (impl_ && !impl_->belongsToThisProcess()) (void)impl_.release();
   impl_.reset();
 }
 

@@ -138,7 +138,7 @@ def test_the_skin_of_a_body_in_map_coordinates_is_where_the_body_is():
 
 
 def test_a_world_without_a_given_mesh_has_no_maps(torso):
-    with pytest.raises(palpate.Error, match="made of no mesh"):
+    with pytest.raises(palpate.Error, match="no index maps"):
         _ = torso.source_vertex
 
 

@@ -142,7 +142,7 @@ TEST_F(Signals, AProgramThatAnotherHasStartedHearsThatItShallEnd) {
                                                        "--seconds", "2000", "--out", out});
   ::signal(SIGINT, before);
   ASSERT_TRUE(support::waitFor([&] { return hasBytes("results/forces.csv.partial"); }));
-  program.askToEnd();
+  program.sendInterrupt();
   EXPECT_EQ(program.finish().how, "exit code 130");
 }
 

@@ -100,7 +100,7 @@ namespace {
 
 /// A quick look in floats: true only if the triangle is not folded. Needles and triangles that lost most of their area
 /// are left to Fold.
-bool isPlainlyUp(const Skin& skin, const Triangle& triangle, const DeformedBlock& surface) noexcept {
+bool isCertainlyUnfolded(const Skin& skin, const Triangle& triangle, const DeformedBlock& surface) noexcept {
   constexpr float kPlainly = 0.05f;
   constexpr float kWide = 1e-4f;  // height over side: a thousand times what rounding makes of the area
   const auto position = [&](Index v) {
@@ -293,7 +293,8 @@ bool ShearLimit::findFolds(const DeformedBlock& surface, std::span<const BlockPa
         // Once a triangle, at the first of its corners.
         const Triangle& corners = skin_.triangles[t];
         const auto is_before = [&](Index corner) { return corner < v && is_looked_at(corner); };
-        if (std::any_of(corners.begin(), corners.end(), is_before) || isPlainlyUp(skin_, corners, surface)) continue;
+        if (std::any_of(corners.begin(), corners.end(), is_before) || isCertainlyUnfolded(skin_, corners, surface))
+          continue;
         listIfFolded(t, surface);
       }
     });

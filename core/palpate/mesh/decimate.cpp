@@ -126,9 +126,9 @@ class Decimator {
 
   void reduceTo(std::size_t target) {
     target_ = target;
-    collapseWhatGoes();
+    collapseToTarget();
     avoid_slivers_ = false;  // only if nothing else is left to reach the count
-    collapseWhatGoes();
+    collapseToTarget();
     if (live_triangles_ > target) throwUnreachable();
   }
 
@@ -225,7 +225,7 @@ class Decimator {
     std::make_heap(heap_.begin(), heap_.end(), later);
   }
 
-  void collapseWhatGoes() {
+  void collapseToTarget() {
     for (std::size_t before = live_triangles_ + 1; live_triangles_ > target_ && live_triangles_ < before;) {
       before = live_triangles_;
       fillHeap();

@@ -187,7 +187,7 @@ class Repairing {
     report(progress_, "repairing", 1.0);
   }
 
-  void checkSomethingIsLeft() const {
+  void requireNonEmpty() const {
     if (result_.mesh.triangles.empty()) throw Error("the mesh has no triangle that can be felt");
   }
 
@@ -271,7 +271,7 @@ RepairResult repair(TriangleMesh mesh, const RepairOptions& options, const Progr
   repairing.joinHairlines();
   repairing.collapseSlivers();
   repairing.removeTwins();
-  repairing.checkSomethingIsLeft();
+  repairing.requireNonEmpty();
   repairing.unifyWinding();
   repairing.closeHoles();
   repairing.faceOutwards();

@@ -28,8 +28,9 @@ std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Ve
   if (!any) throw Error("stiffness source \"points\" needs key points with a stiffness ([ellipses] key_points)");
   maps::StiffnessOfPositions stiffness = maps::measuredStiffness(positions, keys, scene.stiffness.points);
   if (stiffness.limited > 0) {
-    notes.push_back(fmt::format("stiffness: the fit ran away at {} of {} vertices and was limited there",
-                                stiffness.limited, positions.size()));
+    notes.push_back(
+        fmt::format("stiffness: the fit left the range of the key points at {} of {} vertices and was clamped there",
+                    stiffness.limited, positions.size()));
   }
   return std::move(stiffness.n_per_mm);
 }

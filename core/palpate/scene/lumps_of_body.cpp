@@ -321,8 +321,8 @@ void boundAll(std::vector<PlacedLump>& all, const LumpBed& bed, std::vector<std:
   }
   if (steepest == nullptr) return;
   notes.push_back(fmt::format(
-      "lumps push with {:.0f} % of their force: over '{}' the force would grow by more than {} N a mm, which no loop "
-      "holds stably",
+      "lumps push with {:.0f} % of their force: over '{}' stiffness would exceed {} N/mm, beyond any stable loop; "
+      "make it softer, smaller or deeper",
       100.0 * factor, steepest->name, tissue::kStiffestTissue));
   for (PlacedLump& placed : all) placed.lump.energy = placed.lump.energy.scaled(factor);
 }
@@ -348,7 +348,7 @@ void noteSnap(const PlacedLump& placed, std::vector<std::string>& notes) {
   const double snapping = placed.lump.energy.steepest().snapping;
   if (!mobility.moves() || mobility.spring_n_per_mm >= snapping) return;
   notes.push_back(
-      fmt::format("lump '{}' slips away from a firm press with a snap: below {:.2g} mm/N it would give way smoothly",
+      fmt::format("lump '{}' jumps sideways under a firm press; mobility_mm_per_n below {:.2g} makes it move smoothly",
                   placed.name, 1.0 / snapping));
 }
 

@@ -100,8 +100,8 @@ tissue::ForceLaw forceLaw(const Scene& scene, const PlacedTissue& tissue) {
   return law;
 }
 
-std::shared_ptr<const hdb::HdbSurface> detectingBoxIfAsked(const Scene& scene, const mesh::TriangleMesh& skin,
-                                                           const contact::Surface& surface, const Progress& progress) {
+std::shared_ptr<const hdb::HdbSurface> makeDetectingBox(const Scene& scene, const mesh::TriangleMesh& skin,
+                                                        const contact::Surface& surface, const Progress& progress) {
   if (scene.contact.source != ContactSource::hdb) return nullptr;
   return buildHdbSource(scene, skin, surface, progress);
 }
@@ -268,7 +268,7 @@ std::shared_ptr<const World> assembleWorld(const Scene& asked, std::shared_ptr<c
   auto lumps = placedLumps({scene, *body, *healthy, surface, has_layers, before}, notes);
   surface.lumps = feltLumps(lumps);
   auto pressure = pressureIfAsked(scene, *healthy, has_layers, before, notes);
-  auto hdb = detectingBoxIfAsked(scene, body->skin, surface, progress);
+  auto hdb = makeDetectingBox(scene, body->skin, surface, progress);
 
   report(progress, "preparing the deformation", 0.0);
   const std::shared_ptr<const tissue::LayeredTissue> layered = healthy->tissue.layered;
@@ -328,7 +328,8 @@ std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, con
 }
 
 std::shared_ptr<const World> rebuiltOnItsSkin(const World& world, const Scene& scene, const Progress& progress) {
-  if (!haveEqualSwellings(world.scene, scene)) throw Error("another swelling needs another body");
+  if (!haveEqualSwellings(world.scene, scene))
+    throw Error("a changed swelling changes the skin; build the world anew (scene::build)");
   return assembleWorld(scene, world.body, formsOf(scene), &world, progress);
 }
 

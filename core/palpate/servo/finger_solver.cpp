@@ -58,8 +58,8 @@ contact::FingerOutput touchMovingSkin(FingerSolver& solver, const contact::Finge
 }
 
 /// Fades the force of an exchanged surface to that surface's own, from where the last tick was.
-void handOver(const contact::FingerSettings& settings, const Vec3& tip, Handover& handover,
-              contact::FingerOutput& felt) noexcept {
+void fadeForceChange(const contact::FingerSettings& settings, const Vec3& tip, Handover& handover,
+                     contact::FingerOutput& felt) noexcept {
   const Vec3 change = felt.force - handover.force;
   const double most_mm = 3.0 * (tip - handover.tip).norm() + settings.catch_up_mm_per_s * settings.tick_s;
   const double most_n = handover.secant_n_per_mm * most_mm;
@@ -82,7 +82,7 @@ contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings&
   if ((felt.status & contact::kTipLost) != 0 || !solver.handover.follows) return felt;
   Handover& handover = solver.handover;
   if (felt.depth_mm > 0.0) handover.secant_n_per_mm = felt.force.norm() / felt.depth_mm;
-  if (handover.on) handOver(settings, tip, handover, felt);
+  if (handover.on) fadeForceChange(settings, tip, handover, felt);
   handover.force = felt.force;
   handover.tip = tip;
   return felt;

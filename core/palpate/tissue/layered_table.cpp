@@ -46,8 +46,8 @@ constexpr NumberRange kStiffnessRatio{0.0, 10.0, true};
 /// On the axis the skin moves as itself, and nowhere sideways: up to the rounding of a written number.
 constexpr double kOnAxis = 1e-3;
 
-void demand(const NumberRange& range, double value, std::string_view where, std::string_view name,
-            std::string_view unit = {}) {
+void requireInRange(const NumberRange& range, double value, std::string_view where, std::string_view name,
+                    std::string_view unit = {}) {
   if (range.holds(value)) return;
   throw Error(fmt::format("{}: {} = {}", where, name, outOfRange(fmt::format("{}", value), range, unit)));
 }
@@ -61,8 +61,8 @@ void check(const Layer& layer, std::string_view where) {
     throw Error(fmt::format("{}: '{}' is not a name: up to {} letters, digits, blanks, '-', '_', '.'", where,
                             oneLine(layer.name), kLongestLayerName));
   }
-  demand(kThickness, layer.thickness_mm, where, "thickness", "mm");
-  demand(kYoung, layer.young_kpa, where, "Young's modulus", "kPa");
+  requireInRange(kThickness, layer.thickness_mm, where, "thickness", "mm");
+  requireInRange(kYoung, layer.young_kpa, where, "Young's modulus", "kPa");
 }
 
 // --- checks of a table
@@ -72,7 +72,7 @@ void checkRadii(const std::vector<double>& radii) {
   if (radii.size() > kMaxRadii) throw Error(fmt::format("radii_mm: more than {}", kMaxRadii));
   if (radii.front() != 0.0) throw Error(fmt::format("radii_mm: the first must be 0, not {}", radii.front()));
   for (std::size_t i = 1; i < radii.size(); ++i) {
-    demand(kTableRadii, radii[i], "radii_mm", fmt::format("radius {}", i + 1), "mm");
+    requireInRange(kTableRadii, radii[i], "radii_mm", fmt::format("radius {}", i + 1), "mm");
     if (radii[i] > radii[i - 1]) continue;
     throw Error(fmt::format("radii_mm: must increase, but {} follows {}", radii[i], radii[i - 1]));
   }
@@ -84,32 +84,32 @@ void checkShares(const std::vector<double>& shares, std::size_t radii, double on
     throw Error(fmt::format("{}: {} has {} numbers for {} radii", where, name, shares.size(), radii));
   }
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    demand(kShapeShares, shares[i], where, fmt::format("{}, number {},", name, i + 1));
+    requireInRange(kShapeShares, shares[i], where, fmt::format("{}, number {},", name, i + 1));
   }
   if (std::abs(shares.front() - on_axis) <= kOnAxis) return;
   throw Error(fmt::format("{}: {} begins at {} instead of {}", where, name, shares.front(), on_axis));
 }
 
 void check(const PressedShape& shape, std::size_t radii, const std::string& where) {
-  demand(kTableDepths, shape.depth_mm, where, "depth_mm", "mm");
-  demand(kTableDepths, shape.surface_mm, where, "surface_mm", "mm");
-  demand(kTableForces, shape.force_n, where, "force_n", "N");
-  demand(kContactRadii, shape.contact_radius_mm, where, "contact_radius_mm", "mm");
+  requireInRange(kTableDepths, shape.depth_mm, where, "depth_mm", "mm");
+  requireInRange(kTableDepths, shape.surface_mm, where, "surface_mm", "mm");
+  requireInRange(kTableForces, shape.force_n, where, "force_n", "N");
+  requireInRange(kContactRadii, shape.contact_radius_mm, where, "contact_radius_mm", "mm");
   checkShares(shape.down, radii, 1.0, where, "down");
   checkShares(shape.outward, radii, 0.0, where, "outward");
 }
 
 void check(const DragShape& drag, std::size_t radii) {
-  demand(kDragExponent, drag.exponent, "drag", "exponent");
-  demand(kDragWidth, drag.along_mm, "drag", "along_mm", "mm");
-  demand(kDragWidth, drag.across_mm, "drag", "across_mm", "mm");
-  demand(kStiffnessRatio, drag.tangential_over_normal, "drag", "tangential_over_normal");
+  requireInRange(kDragExponent, drag.exponent, "drag", "exponent");
+  requireInRange(kDragWidth, drag.along_mm, "drag", "along_mm", "mm");
+  requireInRange(kDragWidth, drag.across_mm, "drag", "across_mm", "mm");
+  requireInRange(kStiffnessRatio, drag.tangential_over_normal, "drag", "tangential_over_normal");
   if (!drag.on_along.empty()) checkShares(drag.on_along, radii, 1.0, "drag", "on_along");
   if (!drag.on_across.empty()) checkShares(drag.on_across, radii, 1.0, "drag", "on_across");
 }
 
 void check(const FingerForces& finger, const std::string& where) {
-  demand(kIndenterRadius, finger.radius_mm, where, "radius_mm", "mm");
+  requireInRange(kIndenterRadius, finger.radius_mm, where, "radius_mm", "mm");
   if (finger.depths_mm.empty()) throw Error(where + ": depths_mm: at least one is needed");
   if (finger.depths_mm.size() > kMaxShapes) throw Error(fmt::format("{}: depths_mm: more than {}", where, kMaxShapes));
   if (finger.force_n.size() != finger.depths_mm.size()) {
@@ -117,8 +117,8 @@ void check(const FingerForces& finger, const std::string& where) {
         fmt::format("{}: force_n has {} numbers for {} depths", where, finger.force_n.size(), finger.depths_mm.size()));
   }
   for (std::size_t i = 0; i < finger.depths_mm.size(); ++i) {
-    demand(kTableDepths, finger.depths_mm[i], where, fmt::format("depths_mm, number {},", i + 1), "mm");
-    demand(kFingerTableForces, finger.force_n[i], where, fmt::format("force_n, number {},", i + 1), "N");
+    requireInRange(kTableDepths, finger.depths_mm[i], where, fmt::format("depths_mm, number {},", i + 1), "mm");
+    requireInRange(kFingerTableForces, finger.force_n[i], where, fmt::format("force_n, number {},", i + 1), "N");
     if (i == 0) continue;
     if (!(finger.depths_mm[i] > finger.depths_mm[i - 1])) throw Error(where + ": depths_mm must increase");
     if (finger.force_n[i] < finger.force_n[i - 1]) throw Error(where + ": force_n must not fall");
@@ -290,13 +290,13 @@ void check(const LayerStack& stack) {
   if (stack.layers.empty()) throw Error("stack: at least one layer is needed");
   if (stack.layers.size() > kMaxLayers) throw Error(fmt::format("stack: more than {} layers", kMaxLayers));
   for (std::size_t i = 0; i < stack.layers.size(); ++i) check(stack.layers[i], fmt::format("layer {}", i + 1));
-  demand(kPoisson, stack.poisson, "stack", "Poisson's ratio");
+  requireInRange(kPoisson, stack.poisson, "stack", "Poisson's ratio");
 }
 
 void check(const LayeredTable& table) {
   if (!table.stack.layers.empty()) check(table.stack);  // a table fitted to measured curves may have none
-  demand(kPoisson, table.stack.poisson, "stack", "Poisson's ratio");
-  demand(kIndenterRadius, table.indenter_radius_mm, "table", "indenter_radius_mm", "mm");
+  requireInRange(kPoisson, table.stack.poisson, "stack", "Poisson's ratio");
+  requireInRange(kIndenterRadius, table.indenter_radius_mm, "table", "indenter_radius_mm", "mm");
   checkRadii(table.radii_mm);
   if (table.shapes.empty()) throw Error("shapes: at least one is needed");
   if (table.shapes.size() > kMaxShapes) throw Error(fmt::format("shapes: more than {}", kMaxShapes));

@@ -24,10 +24,10 @@ TEST(RelaxationStudy, LosesWhatTheTermsSay) {
   const double at_once = offered.held_n.front();
   for (const double t : {0.5, 1.0, 10.0}) {
     // The approach takes 40 ms: some of it is lost before the finger has arrived.
-    EXPECT_NEAR(lostAfter(offered, t), 0.15 * (1.0 - std::exp(-t)), 0.003) << t;
+    EXPECT_NEAR(lostForceShare(offered, t), 0.15 * (1.0 - std::exp(-t)), 0.003) << t;
   }
   const RelaxingSkin& none = measuredRelaxation().skins.at(0);
-  EXPECT_EQ(lostAfter(none, 10.0), 0.0);
+  EXPECT_EQ(lostForceShare(none, 10.0), 0.0);
   EXPECT_EQ(none.dent_mm.front(), 0.0);
   EXPECT_NEAR(at_once / none.held_n.front(), 1.0, 0.005);
   EXPECT_GT(offered.dent_mm.front(), 0.15 * 8.0) << "layered tissue stiffens";

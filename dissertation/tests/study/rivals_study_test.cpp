@@ -46,7 +46,7 @@ TEST(FiniteElements, AreLinearSymmetricAndKeepTheSkinOutOfTheBall) {
   const PressedSurface pressed = elements.press(2.0);
   EXPECT_NEAR(middleDisplacement(pressed.displacements).z(), -2.0, 1e-9);
   for (std::size_t v = 0; v < pressed.displacements.size(); ++v) {
-    const Vec3 place = block.place(block.firstOfTop() + v);
+    const Vec3 place = block.place(block.firstTopNode() + v);
     EXPECT_LE(pressed.displacements[v].z(), -ballDepth(place.head<2>().norm(), 2.0) + 1e-5);
     const Vec3& opposite = pressed.displacements[pressed.displacements.size() - 1 - v];
     EXPECT_NEAR(pressed.displacements[v].z(), opposite.z(), 1e-9);
@@ -101,7 +101,7 @@ TEST(FreeForm, TakesTheDraggedPointAlongAndReachesFourLattices) {
   const std::vector<Vec3> moved = form.press(5.0);
   EXPECT_NEAR(middleDisplacement(moved).z(), -5.0, 1e-9);
   for (std::size_t v = 0; v < moved.size(); ++v) {
-    const Vec3 place = block.place(block.firstOfTop() + v);
+    const Vec3 place = block.place(block.firstTopNode() + v);
     const double far = place.head<2>().cwiseAbs().maxCoeff();
     EXPECT_LE(std::abs(moved[v].z()), 5.0 + 1e-9);
     EXPECT_TRUE(far <= 4.0 * 6.0 || moved[v].norm() == 0.0) << far;

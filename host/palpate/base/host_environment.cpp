@@ -72,7 +72,7 @@ StartedWork startOnThread(std::function<void()> work) {
           [future] { future->get(); }};
 }
 
-std::size_t threadsOfTheMachine() { return std::max(1u, std::thread::hardware_concurrency()); }
+std::size_t hardwareThreads() { return std::max(1u, std::thread::hardware_concurrency()); }
 
 #endif
 
@@ -82,7 +82,7 @@ std::size_t threadsOfTheMachine() { return std::max(1u, std::thread::hardware_co
   host.write_file = writeWholeFile;
 #ifndef PALPATE_NO_THREADS
   host.start = startOnThread;
-  host.processors = threadsOfTheMachine;
+  host.processors = hardwareThreads;
 #endif
   useEnvironment(host);
   return true;

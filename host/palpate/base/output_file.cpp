@@ -37,7 +37,7 @@ fs::path untrustedLink(const fs::path& file) {
 
 /// Also those that links lead to. The kernel's own guard (fs.protected_symlinks) does not reach a link that a program
 /// reads and follows itself.
-void refuseLinksOfAnybody(fs::path target) {
+void refuseUntrustedLinks(fs::path target) {
   std::error_code error;
   for (int i = 0; i < kMaxLinks; ++i) {
     if (const fs::path link = untrustedLink(target); !link.empty()) {
@@ -105,7 +105,7 @@ OutputFile::UnderWay::UnderWay() { ++files_under_way; }
 OutputFile::UnderWay::~UnderWay() { --files_under_way; }
 
 OutputFile::OutputFile(fs::path target, Unfinished unfinished, Access access) : target_(std::move(target)) {
-  refuseLinksOfAnybody(target_);
+  refuseUntrustedLinks(target_);
   if (isWrittenDirectly(target_)) {
     written_ = target_;
     descriptor_ = system::openForWriting(target_);

@@ -172,7 +172,7 @@ class Replay {
       if (proof_.lostLumps() || !is_whole || !was_whole_) forgetLumps();
       was_whole_ = is_whole;
       for (const trace::Sample& sample : recorded) {
-        felt.push_back(feelAgain(sample));
+        felt.push_back(recomputeSample(sample));
         if (sample.tick >= span.from && proof_.proves(sample)) compare(sample, felt.back());
       }
       if (sink && recorded.front().tick >= span.from) sink(felt);
@@ -256,7 +256,7 @@ class Replay {
     lumps_known_.set(lump);
   }
 
-  trace::Sample feelAgain(const trace::Sample& sample) {
+  trace::Sample recomputeSample(const trace::Sample& sample) {
     if (sample.world != number_) enter(sample.world);
     servo::FingerChain& chain = fingers_[sample.finger];
     forget(sample.forgot | (proof_.isFreshStart(sample) ? trace::kForgotTouch | trace::kForgotLimiter : 0u), chain);

@@ -72,7 +72,7 @@ LoopEvent recordWake(const Pacer::Wake& wake, const PacedSettings& settings, Met
   return LoopEvent::stalled;
 }
 
-void handOver(const TickSamples& samples, LoopLinks& links) {
+void publishSamples(const TickSamples& samples, LoopLinks& links) {
   for (const trace::Sample& sample : samples) links.samples.push(sample);
   if (links.records.load(std::memory_order_acquire)) {
     for (const trace::Sample& sample : samples) pushNumbered(links.record, sample, links.numbered);
@@ -122,7 +122,7 @@ LoopReport runPaced(Rig& rig, std::uint64_t ticks, const PacedSettings& settings
     meter.report.overruns += tick - next;  // deadlines past the end of the run do not count
     if (settings.before_tick) settings.before_tick(rig);
     measuredTick(rig, tick, recordWake(wake, settings, meter), samples, meter);
-    handOver(samples, links);
+    publishSamples(samples, links);
     publishVitals(meter, links);
     next = tick + 1;
   }

@@ -12,7 +12,7 @@ constexpr double kForceBinN = 0.005;
 constexpr double kDepthBinMm = 0.005;
 constexpr double kSpeedBinMmPerS = 0.25;
 
-void tally(std::uint32_t bits, std::uint32_t& before, std::uint64_t tick, BitTallies& tallies) {
+void tallyBits(std::uint32_t bits, std::uint32_t& before, std::uint64_t tick, BitTallies& tallies) {
   for (std::uint32_t left = bits; left != 0; left &= left - 1) {
     const auto place = static_cast<std::size_t>(std::countr_zero(left));
     BitTally& bit = tallies[place];
@@ -81,8 +81,8 @@ void RecordingMeasurement::add(const Sample& sample) {
     finger.slipping += sample.contact.touch == contact::Touch::slip ? 1 : 0;
     for (std::size_t i = 0; i < kMeasured; ++i) finger.in_contact[i].add(values[i]);
   }
-  tally(sample.safety, course.safety_before, sample.tick, finger.safety);
-  tally(sample.contact.status, course.status_before, sample.tick, finger.contact_status);
+  tallyBits(sample.safety, course.safety_before, sample.tick, finger.safety);
+  tallyBits(sample.contact.status, course.status_before, sample.tick, finger.contact_status);
   list(course.contacts.add(sample));
   list(course.phases.add(sample.tick, phaseOf(touching, force, speeds.proxy)));
   places_.add(sample);

@@ -59,7 +59,7 @@ class PressColumns {
     for (const WantedNumber& wanted : kWanted) wanted_.push_back(tissue::columnOf(header, wanted.column));
   }
 
-  PressRow pressOf(const CsvRow& row) const {
+  PressRow readPress(const CsvRow& row) const {
     tissue::checkFields(row, count_);
     PressRow press{.point = std::string(row.fields[name_]),
                    .place_mm = {csvNumber(row, x_, "x_mm", kPlacesMm), csvNumber(row, y_, "y_mm", kPlacesMm)},
@@ -111,7 +111,7 @@ std::vector<PressRow> parsePresses(std::string_view text, std::string_view file)
     if (!columns) {
       columns.emplace(row);
     } else {
-      presses.push_back(columns->pressOf(row));
+      presses.push_back(columns->readPress(row));
     }
   });
   if (presses.empty()) throw Error::inFile(file, "holds no press: a header and a row for each are needed");

@@ -338,7 +338,7 @@ std::vector<fs::path> renewCertificates(const ClassFolder& folder, const std::ve
   days = std::min(days, daysLeft(authority.certificate));
   if (days <= 0) {
     throw Error::inFile((folder.folder / "authority/ca.crt").string(),
-                        "has ended: make a new class (`palpate class init`) and carry its folders to the stations");
+                        "has expired; make a new class (`palpate class init`) and copy its folders to the stations");
   }
   std::vector<std::string> left = names;
   std::vector<fs::path> renewed;

@@ -93,7 +93,7 @@ struct MqttLink::Impl {
       : settings(link_settings), handlers(std::move(link_handlers)) {
     startLibrary();
     client = mosquitto_new(settings.client_id.c_str(), settings.session_expiry_s == 0, this);
-    if (client == nullptr) throw Error("broker: no memory for a connection, or a client id that it does not take");
+    if (client == nullptr) throw Error("broker: cannot create a connection (out of memory, or an invalid client id)");
     try {
       prepare();
     } catch (...) {
@@ -210,7 +210,7 @@ struct MqttLink::Impl {
   }
 
   /// Connects, and stays until the connection is lost.
-  void attend() {
+  void runConnection() {
     int code = connectNow();
     while (code == MOSQ_ERR_SUCCESS && !isEnding()) code = mosquitto_loop(client, kLoopMs, 1);
     const bool was_connected = is_connected.exchange(false);
@@ -229,7 +229,7 @@ struct MqttLink::Impl {
   }
   void run() {
     for (;;) {
-      attend();
+      runConnection();
       std::unique_lock lock(mutex);
       if (woken.wait_for(lock, pause, [this] { return ending; })) return;
       pause = std::min(2 * pause, kLongestPause);

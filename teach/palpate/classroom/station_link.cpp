@@ -47,7 +47,8 @@ struct StationLink::Impl {
     StationStatus gone = status;
     gone.online = false;
     settings.will = OutMessage{topic("status"), statusText(nextEnvelope(member.station_id), gone), 1, true, 0};
-    mqtt.emplace(settings, MqttHandlers{[this](auto where, auto what) { received(where, what); }, [this] { greet(); }});
+    mqtt.emplace(settings,
+                 MqttHandlers{[this](auto where, auto what) { received(where, what); }, [this] { markStateStale(); }});
     thread = std::thread([this] { run(); });
   }
   ~Impl() {
@@ -95,7 +96,7 @@ struct StationLink::Impl {
       woken.notify_all();
     }
   }
-  void greet() {
+  void markStateStale() {
     const std::lock_guard lock(mutex);
     status_stale = state_stale = true;
     woken.notify_all();

@@ -62,7 +62,8 @@ std::vector<Vec2> placesApart(const std::vector<Vec2>& places, std::size_t count
     }
     if (apart) return drawn;
   }
-  throw Error("a sitting with lumps: there is no room for three lumps in one body");
+  throw Error(
+      "lump session: three lumps do not fit into one body; choose smaller or shallower ones ([lump] of the protocol)");
 }
 
 }  // namespace

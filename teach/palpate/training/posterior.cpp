@@ -60,7 +60,7 @@ double quantileOf(const std::vector<double>& places, const std::vector<double>& 
 
 double ThresholdSummary::halfWidth() const { return 0.5 * std::log(high / low); }
 
-bool ThresholdSummary::telling() const {
+bool ThresholdSummary::isConclusive() const {
   const double widest = std::log(2.0);
   return low > 0.0 && high > 0.0 && halfWidth() <= widest;
 }

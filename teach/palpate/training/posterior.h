@@ -36,10 +36,10 @@ struct ThresholdSummary {
   double halfWidth() const;  ///< in ln T: half of ln(high / low)
   /// Narrow enough to be shown to people: a factor of two either way at most. After one trial the interval is a useless
   /// 10 to 157 %.
-  bool telling() const;
+  bool isConclusive() const;
 };
 
-/// Shown in place of an interval that is not telling; tr() shows it.
+/// Shown in place of an interval that is not conclusive; tr() shows it.
 inline constexpr const char* kMoreTrialsNeeded = toTranslate("more trials needed");
 
 /// Deterministic: the same answers give the same bits on every compiler.

@@ -28,14 +28,14 @@ int choiceCount(const Protocol& protocol) {
 std::string percent(double change) { return fmt::format("{:.0f}", 100.0 * change); }
 
 std::string thresholdSentence(const ThresholdSummary& threshold) {
-  if (!threshold.telling()) return tr("More trials are needed to measure your smallest change.");
+  if (!threshold.isConclusive()) return tr("More trials are needed to measure your smallest change.");
   return trf("Your smallest reliable change: about {} % ({}–{} %).", percent(threshold.median), percent(threshold.low),
              percent(threshold.high));
 }
 
 std::string comparison(const ThresholdSummary& now, const ShownThreshold& before) {
   const ThresholdSummary then{.median = before.median, .low = before.low, .high = before.high};
-  if (!now.telling() || !then.telling()) return {};
+  if (!now.isConclusive() || !then.isConclusive()) return {};
   const std::string last = " " + trf("Last time: {} %.", percent(before.median));
   return changeBetween(then, now).clear ? last : last + " " + tr("Too early to call a change.");
 }

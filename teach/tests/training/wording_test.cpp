@@ -76,14 +76,14 @@ TEST(Wording, AnIntervalThatSaysNothingIsNotShown) {
 TEST(Wording, ATestOfTwentyAnswersSaysSomethingAndOneAnswerDoesNot) {
   Posterior posterior;
   posterior.add({.change = 0.5, .correct = true});
-  EXPECT_FALSE(posterior.summary().telling());
+  EXPECT_FALSE(posterior.summary().isConclusive());
   Block block({.stop = {.least = 20, .most = 20}}, 3);
   while (!block.finished()) {
     const double change = block.next().change;
     block.answer({.answer = 1, .correct = change > 0.2});
   }
-  EXPECT_TRUE(block.result().threshold.telling());
-  EXPECT_FALSE((ThresholdSummary{.median = 0.2, .low = 0.0, .high = 0.3}.telling())) << "none was measured";
+  EXPECT_TRUE(block.result().threshold.isConclusive());
+  EXPECT_FALSE((ThresholdSummary{.median = 0.2, .low = 0.0, .high = 0.3}.isConclusive())) << "none was measured";
 }
 
 TEST(Wording, ACloseCallIsNotCalled) {

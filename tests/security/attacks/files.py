@@ -234,7 +234,7 @@ def formulas_for_a_spreadsheet(room):
 # --- other users of the computer
 
 @lab.attack("links_laid_in_a_shared_folder", "files", [
-    lab.Mend(OUTPUT, "  refuseLinksOfAnybody(target_);\n", ""),
+    lab.Mend(OUTPUT, "  refuseUntrustedLinks(target_);\n", ""),
     lab.Mend("lab/commands/bench_arguments.cpp", 'file_ = folder_->path() / (file_or_name + ".stl");',
              'file_ = std::filesystem::temp_directory_path() / fmt::format("palpate_{}_{}.stl", file_or_name, getpid());'),
 ], seconds=40)

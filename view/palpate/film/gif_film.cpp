@@ -82,13 +82,13 @@ class GifFilm final : public Film {
       auto* row = const_cast<GifByteType*>(painted.pixels.data() + static_cast<std::ptrdiff_t>(y) * changed.width);
       check(EGifPutLine(gif_, row, changed.width) == GIF_OK);
     }
-    handOver();
+    flushBytes();
     before_ = picture;
   }
 
   void end() override {
     check(close() == GIF_OK);
-    handOver();
+    flushBytes();
   }
 
  private:
@@ -98,7 +98,7 @@ class GifFilm final : public Film {
     return count;
   }
   /// Called outside of giflib, which no exception may cross.
-  void handOver() {
+  void flushBytes() {
     output_.write(bytes_);
     bytes_.clear();
   }

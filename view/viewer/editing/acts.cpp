@@ -103,7 +103,7 @@ void leaveEditors(ViewerState& viewer) {
 }
 
 /// Deletes lumps while they are edited, or where only one of them is selected.
-void deleteWhatIsSelected(ViewerState& viewer) {
+void deleteSelection(ViewerState& viewer) {
   const bool of_lumps = viewer.lump_editor.active || (!viewer.editor.active && viewer.editor.selected < 0);
   of_lumps ? deleteSelected(viewer.lumps()) : deleteSelected(viewer.dysfunctions());
 }
@@ -187,7 +187,7 @@ void perform(Action action, ViewerState& viewer) {
       viewer.state.shown.save_dialog = true;
       return;
     case Action::delete_selected:
-      return deleteWhatIsSelected(viewer);
+      return deleteSelection(viewer);
     case Action::cancel:
       return cancel(viewer);
     case Action::measure_person:  // no mode has handled it

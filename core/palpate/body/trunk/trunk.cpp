@@ -180,7 +180,7 @@ double minCoordinate(const mesh::TriangleMesh& skin, int axis) {
   return least;
 }
 
-void layDown(Trunk& trunk) {
+void flattenOntoTable(Trunk& trunk) {
   const double plane = tablePlane(minCoordinate(trunk.skin, 2));
   forEachPoint(trunk, [&](const Vec3& p) { return flattened(p, plane); });
   trunk.support = Support{{0, 0, plane}, Vec3::UnitZ()};
@@ -203,7 +203,7 @@ Trunk makeTrunk(const TrunkSettings& settings) {
   for (Bone& bone : trunk.bones) {
     for (Vec3& p : bone.mesh.positions) p = shaper.bone(p);
   }
-  if (settings.shape.posture == Posture::prone) layDown(trunk);
+  if (settings.shape.posture == Posture::prone) flattenOntoTable(trunk);
   if (settings.shape.posture == Posture::sitting) setDown(trunk);
   forEachPoint(trunk, [&](const Vec3& p) { return Vec3(shaper.scale() * p); });
   if (trunk.support) trunk.support->point *= shaper.scale();

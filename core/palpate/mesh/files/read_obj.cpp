@@ -62,9 +62,9 @@ class ObjReader {
     } else if (is("f") || is("fo")) {
       readFace();
     } else if (is("g")) {
-      in_group_ = namesTheGroup();
+      in_group_ = readGroupLine();
     } else if (is("o")) {
-      in_object_ = namesTheGroup();
+      in_object_ = readGroupLine();
     } else if (is("vt") && places_ != nullptr) {
       readTexturePlace();
     } else if (std::any_of(kOtherSurfaces.begin(), kOtherSurfaces.end(), is)) {
@@ -109,7 +109,7 @@ class ObjReader {
 
   /// The line of a group or object: several names, or one with blanks in it. Groups continue through objects, and
   /// objects through groups.
-  bool namesTheGroup() {
+  bool readGroupLine() {
     bool is_named = text_.restOfLine() == file_.options.group;
     for (auto name = text_.nameWord(); !name.empty(); name = text_.nameWord()) {
       is_named |= name == file_.options.group;

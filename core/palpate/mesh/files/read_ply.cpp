@@ -265,7 +265,7 @@ std::optional<ColourColumns> colourColumns(const Element& element, const std::ar
   return colour;
 }
 
-bool isNumberOfItsOwn(std::string_view name) {
+bool isExtraScalar(std::string_view name) {
   constexpr auto kOthers =
       std::to_array<std::string_view>({"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "alpha", "diffuse_red",
                                        "diffuse_green", "diffuse_blue", "diffuse_alpha"});
@@ -280,7 +280,7 @@ ChannelColumns startChannels(const Element& element, VertexChannels& channels) {
   for (std::size_t p = 0; p < element.properties.size(); ++p) {
     const Property& property = element.properties[p];
     const bool first_of_its_name = scalarColumn(element, property.name) == p;
-    if (property.is_list || !isNumberOfItsOwn(property.name) || !first_of_its_name) continue;
+    if (property.is_list || !isExtraScalar(property.name) || !first_of_its_name) continue;
     if (channels.scalars.size() == kMaxVertexScalars) break;
     columns.scalars.push_back(p);
     channels.scalars.push_back({std::string(property.name), {}});
@@ -307,7 +307,7 @@ std::vector<std::size_t> startFaceScalars(const Element& element, VertexChannels
   for (std::size_t p = 0; p < element.properties.size(); ++p) {
     const Property& property = element.properties[p];
     const bool first_of_its_name = scalarColumn(element, property.name) == p;
-    if (property.is_list || !isNumberOfItsOwn(property.name) || !first_of_its_name) continue;
+    if (property.is_list || !isExtraScalar(property.name) || !first_of_its_name) continue;
     if (channels.of_faces.size() == kMaxVertexScalars) break;
     columns.push_back(p);
     channels.of_faces.push_back({std::string(property.name), std::numeric_limits<double>::infinity(),

@@ -52,7 +52,7 @@ double beneath(const tree::TriangleTree& bones, const Vec3& point, const Vec3& n
   return hit.triangle == kNoIndex ? most : std::max(nearest_mm, hit.fraction * most);
 }
 
-Cells askedCells(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm, const tree::TriangleTree& bones) {
+Cells probeCells(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm, const tree::TriangleTree& bones) {
   const std::vector<Vec3> normals = mesh::vertexNormals(skin);
   Cells cells;
   for (std::size_t v = 0; v < skin.positions.size(); ++v) {
@@ -98,7 +98,7 @@ mesh::TriangleMesh joined(std::span<const body::Bone> bones) {
 std::vector<float> tissueBeneath(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm,
                                  std::span<const body::Bone> bones) {
   const tree::TriangleTree tree = tree::buildTriangleTree(joined(bones));
-  const Cells cells = askedCells(skin, nearest_mm, tree);
+  const Cells cells = probeCells(skin, nearest_mm, tree);
   std::vector<float> thickness;
   thickness.reserve(skin.positions.size());
   for (std::size_t v = 0; v < skin.positions.size(); ++v) {

@@ -36,7 +36,7 @@ class FedProgram {
   bool hasEnded();
   /// Sends Ctrl+C, as its terminal would; on Windows, which cannot send it to a program without a console, it is ended
   /// at once. `finish` waits for it.
-  void askToEnd();
+  void sendInterrupt();
 
   /// Its words so far.
   std::string said();

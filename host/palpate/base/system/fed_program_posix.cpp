@@ -45,7 +45,8 @@ void restoreStopSignals(posix_spawnattr_t& attributes) {
   posix_spawnattr_setsigdefault(&attributes, &heard);
 }
 
-int started(const std::filesystem::path& program, std::vector<std::string> words, int input, int said, pid_t& process) {
+int spawnProgram(const std::filesystem::path& program, std::vector<std::string> words, int input, int said,
+                 pid_t& process) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -93,7 +94,7 @@ FedProgram::FedProgram(const std::filesystem::path& program, const std::vector<s
   ::setsockopt(ends[0], SOL_SOCKET, SO_NOSIGPIPE, &on, sizeof(on));
 #endif
   pid_t process = -1;
-  reason_ = started(program, words, ends[1], ::fileno(words_.get()), process);
+  reason_ = spawnProgram(program, words, ends[1], ::fileno(words_.get()), process);
   ::close(ends[1]);
   input_ = ends[0];
   process_ = reason_ == 0 ? process : -1;
@@ -139,7 +140,7 @@ bool FedProgram::hasEnded() {
   return has_ended_;
 }
 
-void FedProgram::askToEnd() {
+void FedProgram::sendInterrupt() {
   if (!hasEnded()) ::kill(static_cast<pid_t>(process_), SIGINT);
 }
 

@@ -96,7 +96,7 @@ FedProgram::Ending FedProgram::finish() {
 
 bool FedProgram::hasEnded() { return process_ == -1 || ::WaitForSingleObject(toHandle(process_), 0) == WAIT_OBJECT_0; }
 
-void FedProgram::askToEnd() {
+void FedProgram::sendInterrupt() {
   if (!hasEnded()) ::TerminateProcess(toHandle(process_), 1);
 }
 

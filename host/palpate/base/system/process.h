@@ -56,7 +56,7 @@ const char* translate(const char* text) noexcept;
 const char* translate(const char* one, const char* many, std::size_t count) noexcept;
 
 /// Whether messages are read at a terminal, which can rewrite a line.
-bool messagesGoToATerminal();
+bool isStderrTerminal();
 
 /// A letter that was typed or sent to the program; does not wait. Nothing: none is there now; `open` becomes false at
 /// the end of the input.

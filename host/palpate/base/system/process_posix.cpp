@@ -140,7 +140,7 @@ const char* translate(const char* one, const char* many, std::size_t count) noex
 
 #endif
 
-bool messagesGoToATerminal() { return ::isatty(STDERR_FILENO) != 0; }
+bool isStderrTerminal() { return ::isatty(STDERR_FILENO) != 0; }
 
 std::optional<char> typedLetter(bool& open) {
   pollfd input{STDIN_FILENO, POLLIN, 0};

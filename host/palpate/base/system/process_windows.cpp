@@ -25,7 +25,7 @@ std::string inUtf8(const std::wstring& text) { return std::filesystem::path(text
 std::wstring inUtf16(const std::string& text) { return pathOf(text).wstring(); }
 
 /// So that the other program reads the same words again: its C library takes them out of one line.
-std::wstring quoted(const std::string& word) {
+std::wstring quoteArgument(const std::string& word) {
   std::wstring text = L"\"";
   std::size_t backslashes = 0;
   for (const wchar_t letter : inUtf16(word)) {
@@ -84,7 +84,7 @@ int waitForExitCode(const PROCESS_INFORMATION& child) {
 
 std::wstring joinCommandLine(const std::vector<std::string>& words) {
   std::wstring line;
-  for (const std::string& word : words) line += (line.empty() ? L"" : L" ") + quoted(word);
+  for (const std::string& word : words) line += (line.empty() ? L"" : L" ") + quoteArgument(word);
   return line;
 }
 
@@ -152,7 +152,7 @@ const char* translate(const char* text) noexcept { return text; }
 
 const char* translate(const char* one, const char* many, std::size_t count) noexcept { return count == 1 ? one : many; }
 
-bool messagesGoToATerminal() { return ::_isatty(::_fileno(stderr)) != 0; }
+bool isStderrTerminal() { return ::_isatty(::_fileno(stderr)) != 0; }
 
 std::optional<char> typedLetter(bool& open) {
   const HANDLE input = ::GetStdHandle(STD_INPUT_HANDLE);

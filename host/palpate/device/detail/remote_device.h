@@ -102,7 +102,7 @@ class RemoteGate {
 
   /// The pose's text out of a signed message that is new; empty where it is not.
   std::string_view opened(std::string_view message) noexcept;
-  void greet(std::string_view message, std::size_t bytes, std::uint64_t tick) noexcept;
+  void answerHello(std::string_view message, std::size_t bytes, std::uint64_t tick) noexcept;
   /// The text before the signature, if that is right.
   std::optional<std::string_view> verified(std::string_view message) const noexcept;
   /// Appends blank, signature and line end.

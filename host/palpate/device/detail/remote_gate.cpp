@@ -120,7 +120,7 @@ std::optional<RemotePose> RemoteGate::acceptPose(std::string_view datagram, cons
   std::string_view message = datagram.size() > kMaxDatagramBytes ? std::string_view() : datagram;
   if (key_) {
     if (message.starts_with(kHello)) {
-      greet(message, datagram.size(), tick);
+      answerHello(message, datagram.size(), tick);
       return std::nullopt;
     }
     message = opened(message);
@@ -157,7 +157,7 @@ std::string_view RemoteGate::opened(std::string_view message) noexcept {
   return *text;
 }
 
-void RemoteGate::greet(std::string_view message, std::size_t bytes, std::uint64_t tick) noexcept {
+void RemoteGate::answerHello(std::string_view message, std::size_t bytes, std::uint64_t tick) noexcept {
   auto text = verified(message);
   if (!text || bytes < kHelloBytes || greeted_tick_ == tick) return countOne(counts_.not_signed);
   const std::string_view theirs = lastWord(*text);

@@ -69,7 +69,7 @@ class HeldDriver {
     driver_->link().mute();
     thread_.reset();
     driver_->exchange();
-    driver_->letGo();
+    driver_->releaseDevice();
   }
 
  private:

@@ -46,7 +46,7 @@ bool tryReserve(int index) {
   const std::lock_guard lock(holdings().mutex);
   return !std::exchange(holdings().held[static_cast<std::size_t>(index)], true);
 }
-void giveBack(int index) {
+void releaseHolding(int index) {
   const std::lock_guard lock(holdings().mutex);
   holdings().held[static_cast<std::size_t>(index)] = false;
 }
@@ -66,14 +66,14 @@ Driver::Driver(const Api& api, char index, char id, const DeviceFrame& frame, co
   api_.enable_force(1, id_);
 }
 
-void Driver::letGo() noexcept {
+void Driver::releaseDevice() noexcept {
   if (let_go_.exchange(true)) return;
   if (!lost_) {
     api_.set_force(0.0, 0.0, 0.0, id_);
     api_.enable_force(0, id_);
     api_.close(id_);
   }
-  giveBack(index_);
+  releaseHolding(index_);
 }
 
 void Driver::askAbilities(const OpenOptions& options) {
@@ -100,7 +100,7 @@ void Driver::exchange() noexcept {
   if (let_go_.load(std::memory_order_relaxed)) return;
   const Vec3 force = frame_.forceInDevice(link_->dueForce());
   if (lost_.load(std::memory_order_relaxed)) {
-    lookAgain();
+    tryReopen();
     return;
   }
   const int sent = api_.set_force(force.x(), force.y(), force.z(), id_);
@@ -132,7 +132,7 @@ void Driver::refused() noexcept {
   refusals_ = 0;
 }
 
-void Driver::lookAgain() noexcept {
+void Driver::tryReopen() noexcept {
   DriverReading reading;
   reading.faults = kDriverError;
   link_->publish(reading);
@@ -212,7 +212,7 @@ Opened openDriver(const Api& api, const OpenOptions& options) {
       opened.driver = std::make_unique<Driver>(api, index, static_cast<char>(id), frame, options);
       return opened;
     }
-    giveBack(i);
+    releaseHolding(i);
     opened.reason = fmt::format("device {} does not open: {}", i, libraryErrorText(api));
   }
   return opened;

@@ -74,7 +74,7 @@ inline constexpr double kExchangesPerS = 2000.0;
 class Driver {
  public:
   Driver(const Api& api, char index, char id, const DeviceFrame& frame, const OpenOptions& options);
-  ~Driver() { letGo(); }
+  ~Driver() { releaseDevice(); }
   Driver(const Driver&) = delete;
   Driver& operator=(const Driver&) = delete;
 
@@ -82,7 +82,7 @@ class Driver {
   void exchange() noexcept;
 
   /// Zero force, forces off, and the library releases the device; nothing is exchanged from then on.
-  void letGo() noexcept;
+  void releaseDevice() noexcept;
 
   DriverLink& link() { return *link_; }
   const Capabilities& capabilities() const { return capabilities_; }
@@ -95,7 +95,7 @@ class Driver {
   Vec3 velocityAt(const Vec3& place) noexcept;
   std::uint32_t buttons() const noexcept;
   void refused() noexcept;
-  void lookAgain() noexcept;
+  void tryReopen() noexcept;
 
   Api api_;
   char index_;

@@ -90,7 +90,7 @@ scene::DeviceModel findDeviceModel(std::string_view model) {
 
 Session::~Session() {
   stop();
-  letGo();
+  releaseDevices();
 }
 
 std::uint32_t Session::onTick(void* session) {
@@ -285,7 +285,7 @@ void Session::release(const std::shared_ptr<Slot>& slot) {
   slot->held = false;
   if (std::any_of(slots_.begin(), slots_.end(), [](const auto& other) { return other->held; })) return;
   stop();
-  letGo();
+  releaseDevices();
 }
 
 bool Session::hasOtherWorkingSlot(const Slot& slot) const {
@@ -333,7 +333,7 @@ void Session::stop() {
 }
 
 /// Each with a last frame of zero force: a motor keeps its last force.
-void Session::letGo() {
+void Session::releaseDevices() {
   for (const std::shared_ptr<Slot>& slot : slots_) {
     if (slot->handle == kInvalidHandle) continue;
     const Vec3 none = Vec3::Zero();

@@ -167,7 +167,7 @@ class Session {
   std::uint32_t firstError() const;
   std::uint32_t start();
   void stop();
-  void letGo();
+  void releaseDevices();
 
   Api api_;
   std::mutex mutex_;  // guards add, release and revive

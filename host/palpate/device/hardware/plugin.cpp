@@ -34,7 +34,7 @@ class HeldPlugin {
 
   void close() {
     const std::lock_guard lock(mutex_);
-    driver_->letGo();
+    driver_->releaseDevice();
     thread_.reset();
   }
 

@@ -109,7 +109,7 @@ void Driver::write(const Vec3& force) noexcept {
   servo_is_in_ = false;
 }
 
-void Driver::letGo() noexcept {
+void Driver::releaseDevice() noexcept {
   const std::lock_guard turn(turns_);
   if (gone_.exchange(true)) return;
   link_.mute();

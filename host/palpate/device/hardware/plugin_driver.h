@@ -58,7 +58,7 @@ class Driver {
   /// Wraps a device that was opened, with its capabilities.
   Driver(const palpate_device_table& table, palpate_device_handle device, const palpate_device_capabilities& able,
          const DeviceFrame& frame, const OpenOptions& options, std::string which);
-  ~Driver() { letGo(); }
+  ~Driver() { releaseDevice(); }
   Driver(const Driver&) = delete;
   Driver& operator=(const Driver&) = delete;
 
@@ -74,7 +74,7 @@ class Driver {
   const DeviceState& state() const noexcept { return link_.state(); }
 
   /// Zero force, and the plugin releases the device; it is not called from then on.
-  void letGo() noexcept;
+  void releaseDevice() noexcept;
   /// Opens a device again that was given up; true when it is there.
   bool revive();
   /// Its present fault, in words; empty: none.

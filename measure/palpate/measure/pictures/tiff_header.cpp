@@ -64,7 +64,7 @@ std::uint64_t plainBytes(const TiffDirectory& page) {
 }
 
 /// Whether the data lies within the file: the decoder pads missing data.
-void checkWhole(const TiffDirectory& page, std::string_view bytes, std::string_view name) {
+void checkDataInFile(const TiffDirectory& page, std::string_view bytes, std::string_view name) {
   const bool is_tiled = page.find(kTileOffsets) != nullptr;
   const TiffTag* offsets = page.find(is_tiled ? kTileOffsets : kStripOffsets);
   const std::uint16_t lengths = is_tiled ? kTileBytes : kStripBytes;
@@ -92,7 +92,7 @@ PictureHeader readTiffHeader(std::string_view bytes, std::string_view name) {
   header.height_px = page.number(kHeight).value_or(0);
   checkColours(page, header, name);
   checkPictureSize(header, name);
-  checkWhole(page, bytes, name);
+  checkDataInFile(page, bytes, name);
   header.pages = page.next() != 0 ? 2 : 1;
   header.exif = readExif(page, bytes, start->big_endian);
   if (const TiffTag* orientation = page.find(kOrientation)) {

@@ -58,7 +58,7 @@ void around(cv::Mat& albedo, const SkinTexture& texture, const Vec2& place, doub
   }
 }
 
-void lay(cv::Vec3f& skin, const cv::Vec3f& colour, double opacity) {
+void blendInk(cv::Vec3f& skin, const cv::Vec3f& colour, double opacity) {
   skin += static_cast<float>(opacity) * (colour - skin);
 }
 
@@ -91,7 +91,7 @@ class RaggedRim {
 void paintBlot(cv::Mat& albedo, const SkinTexture& texture, const Vec2& place, double radius, const cv::Vec3f& colour,
                double opacity) {
   around(albedo, texture, place, 1.6 * radius, [&](cv::Vec3f& skin, const Vec2& offset) {
-    lay(skin, colour, opacity * rise(1.5 * radius, 0.6 * radius, offset.norm()));
+    blendInk(skin, colour, opacity * rise(1.5 * radius, 0.6 * radius, offset.norm()));
   });
 }
 
@@ -136,7 +136,7 @@ void paintHairs(cv::Mat& albedo, const SkinTexture& texture, const SkinLook& loo
     const auto* covered = mask.ptr<std::uint8_t>(y);
     auto* row = albedo.ptr<cv::Vec3f>(y);
     for (int x = 0; x < albedo.cols; ++x) {
-      if (covered[x] != 0) lay(row[x], hair, covered[x] / 255.0);
+      if (covered[x] != 0) blendInk(row[x], hair, covered[x] / 255.0);
     }
   }
 }
@@ -167,7 +167,7 @@ void paintInk(cv::Mat& albedo, const SkinTexture& texture, const SyntheticCase& 
     const double inside = mark.radius_mm * rim.at(angle) - offset.norm();
     if (inside < -0.3) return;
     const double even = std::min(1.0, 0.92 + 0.08 * cloud.at(3.0 * angle + offset.norm()));
-    lay(skin, colour, std::min(1.0, opacity * even) * rise(-0.3, 0.3, inside));
+    blendInk(skin, colour, std::min(1.0, opacity * even) * rise(-0.3, 0.3, inside));
   });
 }
 

@@ -58,7 +58,8 @@ std::optional<TraineeKey> KeyVault::find(const std::string& key_ref) const {
   if (!select.with(std::string_view(key_ref)).next()) return std::nullopt;
   const std::string_view secret = select.blob(0);
   TraineeKey key{};
-  if (secret.size() != key.size()) throw Error::inFile(file_.string(), "holds a key that is none");
+  if (secret.size() != key.size())
+    throw Error::inFile(file_.string(), "has a damaged key for this trainee; restore the file from a backup");
   std::copy_n(reinterpret_cast<const std::uint8_t*>(secret.data()), key.size(), key.begin());
   return key;
 }

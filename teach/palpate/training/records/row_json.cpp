@@ -71,7 +71,7 @@ class FieldsFromJson {
     checkField(kind_, name, value, rule);
   }
   /// Another member than its fields.
-  void alsoKnows(const char* name) { used_ += object_.contains(name) ? 1 : 0; }
+  void allowMember(const char* name) { used_ += object_.contains(name) ? 1 : 0; }
   void refuseOthers() const {
     if (used_ != object_.size()) throw Error(fmt::format("{}: has members that are not known", kind_));
   }
@@ -142,7 +142,7 @@ R rowOfObject(std::string_view kind, const Json& object) {
   FieldsFromJson fields(object, kind);
   eachField(fields, row);
   if constexpr (std::same_as<R, TrialRow>) {
-    fields.alsoKnows("visits");
+    fields.allowMember("visits");
     const auto visits = object.find("visits");
     if (visits == object.end() || !visits->is_array()) throw Error("trial: 'visits' must be a list");
     for (const Json& visit : *visits) row.visits.push_back(rowOfObject<SiteVisit>("visit", visit));

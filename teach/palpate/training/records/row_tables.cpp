@@ -50,7 +50,9 @@ struct FieldsFromSql {
   void operator()(const char* name, Value& value, const FieldRule& /*rule*/) {
     if (next >= values.size()) throw Error(fmt::format("{}: the database left out '{}'", table, name));
     const SqlValue& from = values[next++];
-    if (!read(from, value)) throw Error(fmt::format("{}: '{}' holds what it cannot hold", table, name));
+    if (!read(from, value))
+      throw Error(fmt::format("{}: column '{}' has a value of the wrong type; see `palpate train results verify`",
+                              table, name));
   }
 
  private:

@@ -10,7 +10,7 @@ std::int64_t Sql::number(std::string_view sql, const SqlValues& values) {
   const std::vector<SqlValues> rows = ask(sql, values);
   if (rows.empty() || rows.front().empty()) throw Error(fmt::format("no answer to: {}", sql));
   const auto* value = std::get_if<std::int64_t>(&rows.front().front());
-  if (value == nullptr) throw Error(fmt::format("no number is the answer to: {}", sql));
+  if (value == nullptr) throw Error(fmt::format("the database gave no number for: {}", sql));
   return *value;
 }
 

@@ -43,7 +43,7 @@ void count(LumpRate& rate, bool part) {
   if (part) ++rate.part;
 }
 
-void countSaid(SaidGrades& said, int truth, int answer) {
+void countGrade(SaidGrades& said, int truth, int answer) {
   if (answer == lumps::LumpFinding::kUnsaid) return;
   ++said[static_cast<std::size_t>(truth)][static_cast<std::size_t>(answer)];
 }
@@ -55,9 +55,9 @@ void countLump(LumpStatistics& statistics, const lumps::HiddenLump& lump, const 
   count(statistics.by_hardness[static_cast<std::size_t>(lump.hardness)], found);
   count(lump.mobile ? statistics.mobile : statistics.fixed, found);
   if (!found) return;
-  countSaid(statistics.size, lump.size, finding->size);
-  countSaid(statistics.depth, lump.depth, finding->depth);
-  countSaid(statistics.hardness, lump.hardness, finding->hardness);
+  countGrade(statistics.size, lump.size, finding->size);
+  countGrade(statistics.depth, lump.depth, finding->depth);
+  countGrade(statistics.hardness, lump.hardness, finding->hardness);
   if (finding->mobile != lumps::LumpFinding::kUnsaid) {
     count(statistics.mobility_right, (finding->mobile == 1) == lump.mobile);
   }

@@ -34,7 +34,7 @@ lumps::LumpBlockSettings blockSettings(const LumpSessionPlan& plan) {
 }
 
 lumps::LumpBlock blockOf(const LumpSessionPlan& plan) {
-  if (!hidesLumps(plan.kind)) throw Error("a sitting with lumps: of another kind");
+  if (!hidesLumps(plan.kind)) throw Error("lump session: expected the kind lump or lump_exam");
   if (plan.resumed) return lumps::LumpBlock::resumed(blockSettings(plan), plan.resumed->state_json);
   return {blockSettings(plan), lumpSeed(plan, "lumps")};
 }
@@ -150,7 +150,7 @@ struct LumpSession::Impl {
 
   void ask() { say(lumpQuestionText(block.question(), exam(), block.trial().findings.size())); }
 
-  bool took(bool taken, const Moment& now) {
+  bool advanceIfAccepted(bool taken, const Moment& now) {
     if (!taken) return false;
     if (!block.trial().over) {
       recordBlock();
@@ -251,14 +251,16 @@ void LumpSession::next(const Moment& now) {
 }
 
 bool LumpSession::answer(int choice, const Moment& now) {
-  return impl_->canAnswer() && impl_->took(impl_->block.answer(choice), now);
+  return impl_->canAnswer() && impl_->advanceIfAccepted(impl_->block.answer(choice), now);
 }
 
 bool LumpSession::answer(const Vec2& place_mm, const Moment& now) {
-  return impl_->canAnswer() && impl_->took(impl_->block.answer(place_mm), now);
+  return impl_->canAnswer() && impl_->advanceIfAccepted(impl_->block.answer(place_mm), now);
 }
 
-bool LumpSession::noMore(const Moment& now) { return impl_->canAnswer() && impl_->took(impl_->block.noMore(), now); }
+bool LumpSession::noMore(const Moment& now) {
+  return impl_->canAnswer() && impl_->advanceIfAccepted(impl_->block.noMore(), now);
+}
 
 void LumpSession::pause(const Moment& now) {
   if (!impl_->canAnswer()) return;

@@ -57,7 +57,8 @@ std::string describeDevice(const device::HandChoice& hand) {
 BodyTouch::BodyTouch(TrialWorlds worlds, const SiteSet& sites, const BodyTouchSettings& settings)
     : worlds_(std::move(worlds)), world_(worlds_.even()), profile_(device::profileOf(settings.hand.device)) {
   if (settings.hand.hand == device::HandKind::dead_load || settings.hand.hand == device::HandKind::released) {
-    throw Error(fmt::format("trainee: {} is not a hand that goes anywhere", wordFor(settings.hand.hand)));
+    throw Error(
+        fmt::format("trainee: hand '{}' does not move; use thimble, arm or stylus_z", wordFor(settings.hand.hand)));
   }
   const double tick_s = 1.0 / world_->scene.ticks_per_s;
   const PressRequest first = requestAt(sites.sites.front().place_mm, {});
@@ -93,7 +94,7 @@ servo::LimiterSettings BodyTouch::limiterSettingsFor(const scene::World& world) 
   return servo::limiterSettings(world, profile_);
 }
 
-void BodyTouch::lay(std::shared_ptr<const scene::World> next) {
+void BodyTouch::exchangeWorld(std::shared_ptr<const scene::World> next) {
   servo::FingerChain& finger = rig_.fingers.front();
   servo::FingerSolvers solvers = servo::makeSolvers(next->surface, next->hdb, 1, next->breath);
   servo::exchange(finger.solver, solvers.front(), finger.contact);

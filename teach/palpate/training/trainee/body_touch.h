@@ -66,9 +66,9 @@ class BodyTouch final : public Touching {
   BodyTouch(TrialWorlds worlds, const SiteSet& sites, const BodyTouchSettings& settings);
   ~BodyTouch() override;
 
-  void change(const std::optional<HiddenNow>& hidden) override { lay(worlds_.with(hidden)); }
+  void change(const std::optional<HiddenNow>& hidden) override { exchangeWorld(worlds_.with(hidden)); }
   /// The same with any world of that body.
-  void lay(std::shared_ptr<const scene::World> next);
+  void exchangeWorld(std::shared_ptr<const scene::World> next);
   FeltPress press(const Site& site, const MeantPress& meant, const EachTick& each_tick) override;
   void rest(double seconds, const EachTick& each_tick) override;
   std::uint64_t tick() const override { return next_; }

@@ -53,7 +53,7 @@ void LumpRun::run() {
 
 void LumpRun::tryBody() {
   touch_.mark(fmt::format("body {}", session_.bodyNumber()));
-  touch_.lay(session_.plan().bodies->with(session_.hidden()));
+  touch_.exchangeWorld(session_.plan().bodies->with(session_.hidden()));
   session_.ready(now());
   const std::size_t before = session_.trials().size();
   const std::vector<lumps::HiddenLump> hidden = session_.hidden();

@@ -128,7 +128,7 @@ void orderFromAbove(std::span<const NameTag> tags, std::vector<std::size_t>& col
   });
 }
 
-void giveUp(std::span<const NameTag> tags, int rank, std::vector<std::size_t>& column) {
+void dropFromRank(std::span<const NameTag> tags, int rank, std::vector<std::size_t>& column) {
   std::erase_if(column, [&](std::size_t i) { return tags[i].rank >= rank; });
 }
 
@@ -140,7 +140,7 @@ std::optional<int> rankWithoutRoom(std::span<const NameTag> tags, float room, st
     const auto [least, most] = std::minmax_element(column.begin(), column.end(), rank_below);
     if (tags[*least].rank == tags[*most].rank) break;
     without = tags[*most].rank;
-    giveUp(tags, *without, column);
+    dropFromRank(tags, *without, column);
   }
   return without;
 }
@@ -238,7 +238,7 @@ std::vector<NamePlate> nameColumns(std::span<const NameTag> tags, const NameGrou
   std::vector<NamePlate> plates;
   for (std::size_t side = 0; side < 2; ++side) {
     std::vector<std::size_t>& column = sides[side].tags;
-    if (given_up) giveUp(tags, *given_up, column);
+    if (given_up) dropFromRank(tags, *given_up, column);
     orderFromAbove(tags, column);
     while (!column.empty() && columnHeight(tags, column) > stretches[side].length()) column.pop_back();
     const auto its_plates = untangled(tags, sides[side], stretches[side]);
