@@ -132,7 +132,7 @@ void addBundleCommand(Command& recording) {
       "Write a recording with all files that its scene names, and without names of people or folders", runBundle);
   command.add_option("RECORDING", a.file, "Recording file")->required();
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
-  command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
+  command.add_option("--folder", a.folder, "Folder of the files that the scene names (default: where they were)");
   command
       .add_option("--include", a.included,
                   "Also pack what the scene names of this file or folder, once for each; files outside the "

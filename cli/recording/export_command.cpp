@@ -194,7 +194,7 @@ void addExportCommand(Command& recording) {
   addNumber(command, "--at", a.at_s, between(0.0, 1e9, "s"),
             "Moment of --ply (default: where the fingers press deepest)");
   command.add_option("--attachments", a.attachments, "Folder for pictures and sound notes that were kept with it");
-  command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
+  command.add_option("--folder", a.folder, "Folder of the files that the scene names (default: where they were)");
   addTimeSpan(command, a.span);
 }
 
