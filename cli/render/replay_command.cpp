@@ -139,7 +139,7 @@ void addReplayCommand(Command& recording) {
   command.add_flag("--verify", a.verify, "Exit code 1 unless every bit is the same");
   addTimeSpan(command, a.span);
   namesFileToWrite(command.add_option("-o,--out", a.out, "Write what is felt now as a table of forces (CSV)"));
-  command.add_option("--folder", a.folder, "Where the files that the scene names lie now (default: where they lay)");
+  command.add_option("--folder", a.folder, "Folder of the files that the scene names (default: where they were)");
   command.add_option(
       "--render", a.film,
       "Also draw it, 25 pictures a second: a film (FILE.webm, FILE.gif, FILE.mp4) or numbered pictures (FILE.png); "

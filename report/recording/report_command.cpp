@@ -68,7 +68,7 @@ void addReportCommand(Command& recording) {
                                       "Page to write (default: the file's name with .html, in this folder)"));
   addTimeSpan(command, a.span);
   command.add_option("--folder", a.folder,
-                     "Where the files that the scene names lie now (default: in the recording, else where they lay)");
+                     "Folder of the files that the scene names (default: the recording itself, else where they were)");
   command.add_flag("--json", a.request.json,
                    "Print all numbers as one JSON object; a page is written then only with --out");
   addLanguage(command, a.language);

@@ -42,7 +42,7 @@ class CarriedFiles {
 };
 
 struct BundleSettings {
-  std::filesystem::path folder;  ///< where the files that the scene names lie now; empty: where they lay
+  std::filesystem::path folder;  ///< of the files that the scene names; empty: where they were
   /// Files and folders that may be packed. A stranger's scene may name any file of the user, under any folder; what a
   /// link leads to counts.
   std::vector<std::filesystem::path> allowed;
