@@ -102,7 +102,7 @@ std::string sessionLine(const SessionOutcome& sat, int sites, double wall_s) {
   if (sat.resumed) line += ", went on with an earlier block";
   if (block.trials > 0) {
     line += fmt::format("; T {} % ({} to {} %)", formatPercentNumber(block.threshold),
-                        formatPercent(block.threshold_low), formatPercentNumber(block.threshold_high));
+                        formatPercentNumber(block.threshold_low), formatPercentNumber(block.threshold_high));
   }
   if (block.mastered_change) line += fmt::format("; level {} %", formatPercentNumber(*block.mastered_change));
   if (block.verdict != training::Verdict::none) line += fmt::format("; {}", wordFor(block.verdict));
