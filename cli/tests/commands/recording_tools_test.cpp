@@ -368,7 +368,7 @@ TEST_F(RecordingTools, TheSkinOfAMomentIsThatOfTheRun) {
   mesh::save(folder_ / "dome.obj", zoo::grid(2, 50.0));
   const CommandResult other = palpate("recording export results/run.session --ply skin.ply --at 0.35");
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_NE(other.err.find("not the recorded one"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("differs from the recorded one"), std::string::npos) << other.err;
 }
 
 TEST_F(RecordingTools, PicturesAndSoundsComeOutByTheirTime) {

@@ -27,6 +27,12 @@ class Studio {
 
   TakenPicture capture(const deform::DeformedSurface& surface, const Frame& frame, const PictureSettings& settings,
                        const PictureSize& size);
+  [[deprecated("capture, which this was until 0.3")]] TakenPicture take(const deform::DeformedSurface& surface,
+                                                                        const Frame& frame,
+                                                                        const PictureSettings& settings,
+                                                                        const PictureSize& size) {
+    return capture(surface, frame, settings, size);
+  }
 
  private:
   OffscreenContext context_;
