@@ -38,11 +38,24 @@ if(PALPATE_BUILD_FUZZERS) # the engine counts its branches for the fuzzers; othe
   target_link_options(palpate_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# The same for what is compiled inside this source tree: headers by their place in it.
+# Where each house lies (ARCHITECTURE.md): PALPATE_HOUSE_core and so on.
+foreach(house core host view cli bindings web)
+  set(PALPATE_HOUSE_${house} ${PROJECT_SOURCE_DIR}/engine/${house})
+endforeach()
+foreach(house report measure teach)
+  set(PALPATE_HOUSE_${house} ${PROJECT_SOURCE_DIR}/instruments/${house})
+endforeach()
+foreach(house solve lab dissertation)
+  set(PALPATE_HOUSE_${house} ${PROJECT_SOURCE_DIR}/instruments/study/${house})
+endforeach()
+
+# The same for what is compiled inside this source tree. A header is named by its house, "cli/kit/options.h", or below
+# "palpate/", as it is installed.
 add_library(palpate_build INTERFACE)
 target_link_libraries(palpate_build INTERFACE palpate_options)
-set(PALPATE_INCLUDE_FOLDERS ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/core ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR}/view
-                            ${PROJECT_SOURCE_DIR}/measure ${PROJECT_SOURCE_DIR}/teach ${PROJECT_SOURCE_DIR}/solve)
+set(PALPATE_INCLUDE_FOLDERS ${PROJECT_SOURCE_DIR}/engine ${PROJECT_SOURCE_DIR}/instruments ${PROJECT_SOURCE_DIR}/instruments/study
+                            ${PALPATE_HOUSE_core} ${PALPATE_HOUSE_host} ${PALPATE_HOUSE_view} ${PALPATE_HOUSE_measure}
+                            ${PALPATE_HOUSE_teach} ${PALPATE_HOUSE_solve})
 target_include_directories(palpate_build INTERFACE ${PALPATE_INCLUDE_FOLDERS})
 # One order of arithmetic everywhere: with Eigen's packets a sum of three is added in another order where there is SSE than
 # where there is none. Three-vectors are no slower without.

@@ -1,10 +1,10 @@
-# Debian packages by CPack (tools/package makes and tries them), of what is built and tested, for Debian 12. debian/ makes the
+# Debian packages by CPack (tools/package makes and tries them), of what is built and tested, for Debian 12. packaging/debian/ makes the
 # same ones the way that Debian does (docs/howto/release.md). Included last: it looks at which parts are built.
 #
 #   libpalpate0      libpalpate.so.0, the C interface
 #   libpalpate-dev   palpate.h, Palpate.cs, the C++ library with its headers and CMake files
 #   palpate          the command
-#   palpate-FAMILY   what it starts: serve, report, measure, teach, study (cli/kit/families.tsv)
+#   palpate-FAMILY   what it starts: serve, report, measure, teach, study (engine/cli/kit/families.tsv)
 #   python3-palpate  the Python package
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME palpate)
@@ -22,8 +22,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
-set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/packaging/debian/compress_pages.cmake)
-configure_file(packaging/debian/changelog.in debian/changelog @ONLY)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/packaging/cpack/compress_pages.cmake)
+configure_file(packaging/cpack/changelog.in debian/changelog @ONLY)
 execute_process(COMMAND gzip -9nc ${CMAKE_BINARY_DIR}/debian/changelog OUTPUT_FILE ${CMAKE_BINARY_DIR}/debian/changelog.gz)
 
 # palpate_package(<group> <package> <components> <section> <description>): the first line of the description is its title.
@@ -39,7 +39,7 @@ function(palpate_package group package components section description)
   set(CPACK_DEBIAN_${upper}_DESCRIPTION "${description}" PARENT_SCOPE)
   set(CPACK_DEBIAN_${upper}_PACKAGE_SHLIBDEPS ON PARENT_SCOPE)
   list(GET components 0 first)
-  install(FILES ${PROJECT_SOURCE_DIR}/debian/copyright ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
+  install(FILES ${PROJECT_SOURCE_DIR}/packaging/debian/copyright ${CMAKE_BINARY_DIR}/debian/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
           COMPONENT ${first} EXCLUDE_FROM_ALL)
 endfunction()
 
@@ -50,7 +50,7 @@ if(TARGET palpate_c)
   palpate_package(lib libpalpate0 library libs
                   "haptic palpation: the C library\nBodies that can be felt, fingers that feel them and skin that follows,\nfor programs in C, C# and other languages.")
   # CPACK_..._GENERATE_SHLIBS writes none here; the trigger is Debian's way, beside the scripts that CPack adds by itself.
-  set(CPACK_DEBIAN_LIB_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/debian/shlibs ${PROJECT_SOURCE_DIR}/packaging/debian/triggers)
+  set(CPACK_DEBIAN_LIB_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/cpack/shlibs ${PROJECT_SOURCE_DIR}/packaging/cpack/triggers)
   set(development development Unspecified)
 endif()
 palpate_package(dev libpalpate-dev "${development}" libdevel

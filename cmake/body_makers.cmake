@@ -1,5 +1,5 @@
 # Run by the build: writes OUTPUT, a C++ file that names the sources below ROOT which make built-in bodies by what is in them.
-# A kept body (host/palpate/scene/body_store.cpp) is used only by a program whose makers have the same name.
+# A kept body (engine/host/palpate/scene/body_store.cpp) is used only by a program whose makers have the same name.
 set(core ${ROOT}/core/palpate)
 file(GLOB_RECURSE sources RELATIVE ${ROOT} ${core}/base/* ${core}/mesh/* ${core}/body/* ${core}/scene/body_parts.* ${core}/scene/ready_body.*
      ${core}/scene/beneath/* ${core}/tissue/force_law.h ${core}/tissue/narrow_bone.h)

@@ -1,5 +1,5 @@
 # Run by the build: PALPATE, a program, makes the default body and keeps it in SHARE, for every first run
-# (host/palpate/scene/body_store.cpp). WORK is for what it writes besides. Without it, a first run takes a second longer.
+# (engine/host/palpate/scene/body_store.cpp). WORK is for what it writes besides. Without it, a first run takes a second longer.
 file(REMOVE_RECURSE ${SHARE}/palpate/bodies)
 set(ENV{XDG_CACHE_HOME} ${SHARE})
 unset(ENV{PALPATE_BODY_CACHE_MB})

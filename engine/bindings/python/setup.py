@@ -1,4 +1,4 @@
-"""Builds the package with CMake: `pip install bindings/python` (docs/reference/python.md).
+"""Builds the package with CMake: `pip install engine/bindings/python` (docs/reference/python.md).
 
 PALPATE_STAGED: folder of a build that is there already (build/release/python); nothing is compiled then.
 PALPATE_CMAKE_ARGUMENTS: more arguments for CMake.
@@ -16,8 +16,8 @@ from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
 
 HERE = pathlib.Path(__file__).resolve().parent
-# In the repository this file lies in bindings/python, in a source distribution at the top.
-SOURCE = HERE if (HERE / "core").is_dir() else HERE.parents[1]
+# In the repository this file lies in engine/bindings/python, in a source distribution at the top.
+SOURCE = HERE if (HERE / "engine").is_dir() else HERE.parents[2]
 BUILD = SOURCE / "build" / f"python-{sys.version_info.major}.{sys.version_info.minor}"
 
 
@@ -58,4 +58,4 @@ class Compiled(Distribution):
 
 
 VERSION = re.search(r"project\(palpate VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text())[1]
-setup(version=VERSION, packages=["palpate"], package_dir={"palpate": os.path.relpath(SOURCE / "bindings/python/palpate", HERE)}, cmdclass={"build_py": Build}, distclass=Compiled)
+setup(version=VERSION, packages=["palpate"], package_dir={"palpate": os.path.relpath(SOURCE / "engine/bindings/python/palpate", HERE)}, cmdclass={"build_py": Build}, distclass=Compiled)

@@ -1,4 +1,4 @@
-# Tests of the C interface, included by bindings/c/CMakeLists.txt: `ctest -R '^c\.'`.
+# Tests of the C interface, included by engine/bindings/c/CMakeLists.txt: `ctest -R '^c\.'`.
 set(tests ${CMAKE_CURRENT_SOURCE_DIR}/tests)
 set(c_stage ${CMAKE_CURRENT_BINARY_DIR}/tests)
 
@@ -28,7 +28,7 @@ if(CMAKE_CROSSCOMPILING) # the rest needs programs of the system that is built f
 endif()
 palpate_add_c_test(forces palpate_c forces_test.cpp)
 target_link_libraries(test_c_forces PRIVATE palpate palpate_lab palpate_build)
-target_sources(test_c_forces PRIVATE ${PROJECT_SOURCE_DIR}/lab/counters/thread_counts.cpp) # before the C library's own
+target_sources(test_c_forces PRIVATE ${PROJECT_SOURCE_DIR}/instruments/study/lab/counters/thread_counts.cpp) # before the C library's own
 
 # A run of the command, then each of its ticks through the C interface.
 if(TARGET palpate_command)
@@ -41,13 +41,13 @@ else()
   palpate_add_c_test(session palpate_c session_test.c ${kept_session})
 endif()
 
-add_test(NAME c.header COMMAND ${tests}/check_header.sh ${PROJECT_SOURCE_DIR}/bindings/c)
-add_test(NAME c.exports COMMAND ${tests}/check_exports.sh $<TARGET_FILE:palpate_c> ${PROJECT_SOURCE_DIR}/bindings/c/palpate.h
-         ${PROJECT_SOURCE_DIR}/bindings/c/samples/Palpate.cs)
+add_test(NAME c.header COMMAND ${tests}/check_header.sh ${PROJECT_SOURCE_DIR}/engine/bindings/c)
+add_test(NAME c.exports COMMAND ${tests}/check_exports.sh $<TARGET_FILE:palpate_c> ${PROJECT_SOURCE_DIR}/engine/bindings/c/palpate.h
+         ${PROJECT_SOURCE_DIR}/engine/bindings/c/samples/Palpate.cs)
 add_test(NAME c.docs COMMAND ${tests}/check_docs.sh ${PROJECT_SOURCE_DIR} $<TARGET_FILE_DIR:palpate_c>)
 
 # Structures as they were and as they will be: three programs on two libraries.
-set(header ${PROJECT_SOURCE_DIR}/bindings/c/palpate.h)
+set(header ${PROJECT_SOURCE_DIR}/engine/bindings/c/palpate.h)
 add_custom_command(OUTPUT ${c_stage}/shorter/palpate.h ${c_stage}/longer/palpate.h
                    COMMAND ${CMAKE_COMMAND} -DHEADER=${header} -DOUT=${c_stage} -P ${tests}/versions.cmake
                    DEPENDS ${header} ${tests}/versions.cmake)
@@ -60,7 +60,7 @@ set(programs)
 foreach(version shorter now longer)
   add_executable(test_c_versions_${version} ${tests}/versions_test.c)
   target_include_directories(test_c_versions_${version} BEFORE PRIVATE
-                             $<IF:$<STREQUAL:${version},now>,${PROJECT_SOURCE_DIR}/bindings/c,${c_stage}/${version}>)
+                             $<IF:$<STREQUAL:${version},now>,${PROJECT_SOURCE_DIR}/engine/bindings/c,${c_stage}/${version}>)
   target_link_libraries(test_c_versions_${version} PRIVATE $<TARGET_LINKER_FILE:palpate_c>)
   # No path of its own: the test says which library is loaded.
   set_target_properties(test_c_versions_${version} PROPERTIES SKIP_BUILD_RPATH ON C_STANDARD 99)
@@ -74,14 +74,14 @@ add_dependencies(first_circle palpate_c sample_c_feel_a_back)
 
 # Samples. What needs a program that is not there is skipped by name.
 add_test(NAME c.sample_c COMMAND sample_c_feel_a_back)
-add_test(NAME c.sample_csharp COMMAND ${tests}/run_csharp.sh ${PROJECT_SOURCE_DIR}/bindings/c/samples $<TARGET_FILE_DIR:palpate_c>
+add_test(NAME c.sample_csharp COMMAND ${tests}/run_csharp.sh ${PROJECT_SOURCE_DIR}/engine/bindings/c/samples $<TARGET_FILE_DIR:palpate_c>
          ${c_stage}/csharp)
-add_test(NAME c.sample_ctypes COMMAND ${tests}/run_ctypes.sh ${PROJECT_SOURCE_DIR}/bindings/c/samples $<TARGET_FILE:palpate_c>)
+add_test(NAME c.sample_ctypes COMMAND ${tests}/run_ctypes.sh ${PROJECT_SOURCE_DIR}/engine/bindings/c/samples $<TARGET_FILE:palpate_c>)
 
 # The gate of the binary form reads what the compiler tells debuggers, all of it.
 find_program(PALPATE_ABIDW abidw)
 if(PALPATE_ABIDW)
-  palpate_add_c_library(palpate_c_abi palpate_c_objects ${PROJECT_SOURCE_DIR}/bindings/c)
+  palpate_add_c_library(palpate_c_abi palpate_c_objects ${PROJECT_SOURCE_DIR}/engine/bindings/c)
   add_dependencies(first_circle palpate_c_abi)
   set_target_properties(palpate_c_abi PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/abi)
   add_test(NAME c.abi COMMAND ${PROJECT_SOURCE_DIR}/tools/check-abi $<TARGET_FILE:palpate_c_abi>)
