@@ -6,7 +6,7 @@
 Shares nothing with the product but the model of docs/explanation/training-methods.md: the grid, the prior, the psychometric
 function, an ideal observer for places that were left out. Products of probabilities are sums of logarithms here, the observer is
 integrated by Gauss and Hermite and found by bisection, and the information of a level is taken from its definition.
-teach/tests/training/posterior_test.cpp reads the file. The answers are drawn here, from numpy's generator with a fixed seed.
+instruments/teach/tests/training/posterior_test.cpp reads the file. The answers are drawn here, from numpy's generator with a fixed seed.
 
 Needs Python 3 and numpy; some seconds.
 """

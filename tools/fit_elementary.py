@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes core/palpate/base/detail/elementary_tables.h: what the elementary functions look up, from 60 digits.
+"""Writes engine/core/palpate/base/detail/elementary_tables.h: what the elementary functions look up, from 60 digits.
 
   tools/fit_elementary.py            writes the table
   tools/fit_elementary.py --check    exit code 1 when the table is not what would be written
@@ -13,7 +13,7 @@ import mpmath
 from mpmath import mpf
 
 mpmath.mp.prec = 1400  # 2/pi is written to 1200 bits
-TABLE = pathlib.Path(__file__).resolve().parent.parent / "core/palpate/base/detail/elementary_tables.h"
+TABLE = pathlib.Path(__file__).resolve().parent.parent / "engine/core/palpate/base/detail/elementary_tables.h"
 
 
 def double(value):

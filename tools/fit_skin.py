@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Fits the built-in skin to a MakeHuman body and writes its table, core/palpate/body/skin_table.cpp.
+"""Fits the built-in skin to a MakeHuman body and writes its table, engine/core/palpate/body/skin_table.cpp.
 
     tools/fit_skin.py --base base.obj --target caucasian-male-young.target \\
         --target universal-male-young-averagemuscle-averageweight.target \\
-        [--scan back_scan.obj] -o core/palpate/body/skin_table.cpp
+        [--scan back_scan.obj] -o engine/core/palpate/body/skin_table.cpp
 
 Inputs are MakeHuman's base mesh hm08 and two of its shape targets (CC0 since September 2020; makehumancommunity.org). The
 product does not need them: the table in the source is what this tool wrote. `--scan` only reports how far a patch of the

@@ -8,7 +8,7 @@ changes none of it; only having less does. tools/weight holds the figures agains
   data_bytes    of numbers that are kept as text of C++: .inc files
   second_heads  files that hold another file's opening comment after their own code began
   options       of commands, counted where they are declared
-  keys          of scene files, by kSceneKeys of host/palpate/scene/detail/scene_keys.h, which a test holds
+  keys          of scene files, by kSceneKeys of engine/host/palpate/scene/detail/scene_keys.h, which a test holds
   words         of documents
 """
 import collections
@@ -19,11 +19,25 @@ import subprocess
 COMMENTS = {".h": "//", ".cpp": "//", ".c": "//", ".cs": "//", ".js": "//", ".mjs": "//", ".ts": "//", ".py": "#", ".cmake": "#", ".sh": "#"}
 COMPILED = {".h", ".cpp", ".c"}
 FIGURES = ("lines", "test_lines", "characters", "names", "data_bytes", "second_heads", "options", "keys", "words")
-SCENE_KEYS = "host/palpate/scene/detail/scene_keys.h"
+SCENE_KEYS = "engine/host/palpate/scene/detail/scene_keys.h"
+
+PLACES = ("engine", "instruments", "instruments/study")  # where houses lie; the other products lie at the top
 
 
 def is_test(path):
     return path.startswith("tests/") or "/tests/" in path
+
+
+def product_of(path, products):
+    """The product that a path of the sources or of the build lies in, or None."""
+    parts = path.split("/")
+    below = max((len(place.split("/")) for place in PLACES if path.startswith(place + "/")), default=0)
+    return parts[below] if parts[below] in products else None
+
+
+def folder_of(root, product):
+    """Where a product lies below the root: engine/core, instruments/study/lab, examples."""
+    return next((f"{place}/{product}" for place in PLACES if (pathlib.Path(root) / place / product).is_dir()), product)
 
 
 def listed(root):
@@ -87,10 +101,10 @@ def weigh(root, products):
     names = collections.defaultdict(set)
     for path in listed(root):
         file = root / path
-        product = path.split("/", 1)[0]
+        product = product_of(path, products)
         if file.suffix == ".md":
             found["docs"]["words"] += len(file.read_text(encoding="utf-8").split())
-        if product not in products:
+        if product is None:
             continue
         if file.suffix == ".inc":
             found[product]["data_bytes"] += file.stat().st_size
