@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks what others read of the project: citation, codemeta, the paper, the menu entry, versions, community pages, forms, debian/.
+"""Checks what others read of the project: citation, codemeta, the paper, the menu entry, versions, community pages, forms, packaging/debian/.
 
   packaging/check_papers.py               exit code 1 and one line for each fault
   packaging/check_papers.py --self-test   breaks a copy in every way that is looked for, and expects each to be seen
@@ -47,7 +47,7 @@ def same_version(root):
     named = {
         "CITATION.cff": r"(?m)^version: (\S+)", "packaging/codemeta.json": r'"version": "([^"]+)"',
         "packaging/vcpkg/vcpkg.json": r'"version-semver": "([^"]+)"', "packaging/conan/conanfile.py": r'version = "([^"]+)"',
-        "debian/changelog": r"^palpate \(([^-]+)-", "packaging/npm/package.json": r'"version": "([^"]+)"',
+        "packaging/debian/changelog": r"^palpate \(([^-]+)-", "packaging/npm/package.json": r'"version": "([^"]+)"',
         "packaging/npm/README.md": r"palpate-([\d.]+)\.tgz", "docs/howto/web.md": r"palpate-([\d.]+)\.tgz",
         "packaging/desktop/org.palpate.palpate.metainfo.xml": r'<release version="([^"]+)"',
     }
@@ -213,25 +213,25 @@ NOT_TO_BUILD = {"g++", "cmake", "pkg-config", "libgl1-mesa-dri"}
 
 def debian(root):
     """Each family has its package, each package its list of files, and what building needs is asked for."""
-    control = (root / "debian/control").read_text()
+    control = (root / "packaging/debian/control").read_text()
     packages = set(re.findall(r"(?m)^Package: (\S+)", control))
-    for package in sorted(packages ^ {file.stem for file in (root / "debian").glob("*.install")}):
+    for package in sorted(packages ^ {file.stem for file in (root / "packaging/debian").glob("*.install")}):
         yield f"debian: {package} must be in control and have a list of files"
-    rows = [line.split("\t") for line in (root / "cli/kit/families.tsv").read_text().splitlines() if line and not line.startswith("#")]
+    rows = [line.split("\t") for line in (root / "engine/cli/kit/families.tsv").read_text().splitlines() if line and not line.startswith("#")]
     for family in sorted({row[2] for row in rows}):
         if f"palpate-{family}" not in packages:
-            yield f"debian/control: the family {family} has no package"
+            yield f"packaging/debian/control: the family {family} has no package"
     asked = set(re.findall(r"^ *(?:Build-Depends: )?([a-z0-9.+-]+)", control.split("\n\n")[0].split("Build-Depends:")[1], re.M))
     lists = re.sub(r"#.*", "", (root / "tools/install-dependencies").read_text())
     for words in re.findall(r"(?ms)^(?:bare|report|serve|measure|teach)=\((.*?)\)", lists):
         for package in words.split():
             if not package.startswith('"') and package not in asked and package not in NOT_TO_BUILD:
-                yield f"debian/control: building needs {package}"
+                yield f"packaging/debian/control: building needs {package}"
 
 
 CHECKS = (same_version, citation, codemeta, paper, desktop, community, debian)
 FILES = ("CMakeLists.txt", "CITATION.cff", "packaging/codemeta.json", "docs/quoted/store.json", "packaging/vcpkg",
-         "packaging/conan", "packaging/npm", "docs/howto/web.md", "packaging/paper", "packaging/desktop", ".github", "debian", "cli/kit/families.tsv", "tools/install-dependencies")
+         "packaging/conan", "packaging/npm", "docs/howto/web.md", "packaging/paper", "packaging/desktop", ".github", "packaging/debian", "engine/cli/kit/families.tsv", "tools/install-dependencies")
 
 
 def faults(root):
@@ -245,12 +245,12 @@ BREAKS = (
     ("CITATION.cff", "doi: 10.1186/", "doi: 1186/", "is not a DOI"),
     ("packaging/codemeta.json", '"license"', '"licence"', "license is missing"),
     ("packaging/conan/conanfile.py", 'version = "', 'version = "1', "CMakeLists.txt says"),
-    ("debian/changelog", "palpate (", "palpate (9", "CMakeLists.txt says"),
+    ("packaging/debian/changelog", "palpate (", "palpate (9", "CMakeLists.txt says"),
     ("packaging/npm/package.json", '"version": "', '"version": "9', "CMakeLists.txt says"),
     ("packaging/desktop/org.palpate.palpate.metainfo.xml", '<release version="', '<release version="9', "CMakeLists.txt says"),
-    ("debian/control", "Package: palpate-teach", "Package: palpate-learn", "the family teach"),
-    ("debian/control", "Package: palpate-teach", "Package: palpate-learn", "palpate-learn must be in control"),
-    ("debian/control", "               libvpx-dev,\n", "", "building needs libvpx-dev"),
+    ("packaging/debian/control", "Package: palpate-teach", "Package: palpate-learn", "the family teach"),
+    ("packaging/debian/control", "Package: palpate-teach", "Package: palpate-learn", "palpate-learn must be in control"),
+    ("packaging/debian/control", "               libvpx-dev,\n", "", "building needs libvpx-dev"),
     ("packaging/paper/paper.md", "@ji2008", "@jo2008", "is not in paper.bib"),
     ("packaging/paper/paper.md", "@ho1999", "@zilles1995", "is not cited"),
     ("packaging/paper/paper.md", "# Statement of need", "# Need", "no section Statement of need"),

@@ -21,7 +21,8 @@ class Palpate(ConanFile):
 
     def export_sources(self):
         root = os.path.normpath(os.path.join(self.recipe_folder, "..", ".."))
-        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "core/*", "host/*", "scenes/*", "po/*", "solve/*", "packaging/*", "bindings/c/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "cmake/*", "engine/core/*", "engine/host/*", "engine/bindings/c/*", "examples/scenes/*", "instruments/study/solve/*",
+                        "packaging/*"):
             copy(self, pattern, src=root, dst=self.export_sources_folder)
 
     def requirements(self):

@@ -9,7 +9,7 @@ const here = (name) => readFileSync(new URL(name, import.meta.url), 'utf8');
 const INNER = ['constructor', 'text', 'bytes', 'floats', 'whole', 'doubles', 'put', 'withBytes', 'check', 'readReady', 'openReady'];
 
 const methods = (source) => [...source.matchAll(/^ {2}(?:async )?(\w+)\([^)]*\) \{$/gm)].map((found) => found[1]);
-const offered = new Set([...methods(here('palpate.js')), ...methods(here('../../web/page/engine.js'))].filter((name) => !INNER.includes(name)));
+const offered = new Set([...methods(here('palpate.js')), ...methods(here('../../engine/web/page/engine.js'))].filter((name) => !INNER.includes(name)));
 const of_class = here('index.d.ts').match(/export declare class Palpate \{([^]*?)^\}/m)[1];
 const declared = new Set([...of_class.matchAll(/^ {2}(\w+)\(/gm)].map((found) => found[1]));
 const undeclared = [...offered].filter((name) => !declared.has(name));

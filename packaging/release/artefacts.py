@@ -42,7 +42,9 @@ def make_source(release: Release) -> None:
 
 
 # What building the Python package does not read.
-NOT_IN_SDIST = re.compile(r"^(docs|debian|tests|dissertation|lab|teach|report|web|examples|results|\.ci|\.github|cli)/|/(tests|pictures)/")
+NOT_IN_SDIST = re.compile(
+    r"^(docs|tests|results|\.ci|\.github|examples(?!/scenes/)|packaging/debian|engine/(cli|web)|instruments/(report|teach|study/(dissertation|lab)))/"
+    r"|/(tests|pictures)/")
 
 
 def sdist_tree(release: Release, folder: pathlib.Path) -> pathlib.Path:
@@ -56,7 +58,7 @@ def sdist_tree(release: Release, folder: pathlib.Path) -> pathlib.Path:
     raw.unlink()
     tree = folder / name
     for file in ("setup.py", "pyproject.toml", "README.md"):
-        shutil.move(tree / "bindings/python" / file, tree / file)
+        shutil.move(tree / "engine/bindings/python" / file, tree / file)
     run(PYTHON, "setup.py", "-q", "egg_info", "--egg-base", folder, cwd=tree, env=os.environ | {"PALPATE_STAGED": "/nonexistent"})
     shutil.move(folder / "palpate.egg-info/PKG-INFO", tree / "PKG-INFO")
     shutil.rmtree(folder / "palpate.egg-info")

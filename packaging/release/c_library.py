@@ -91,9 +91,9 @@ def with_everything_else(tree: pathlib.Path, release: Release, config: str) -> N
     for part in ("include", "lib/pkgconfig", "lib/cmake/palpate_c", "share/palpate/csharp", "share/licenses", "examples"):
         (tree / part).mkdir(parents=True, exist_ok=True)
     shutil.copyfile(ROOT / "LICENSE", tree / "share/licenses/palpate")
-    shutil.copyfile(ROOT / "bindings/c/palpate.h", tree / "include/palpate.h")
-    shutil.copyfile(ROOT / "bindings/c/samples/Palpate.cs", tree / "share/palpate/csharp/Palpate.cs")
-    pc = (ROOT / "bindings/c/palpate.pc.in").read_text()
+    shutil.copyfile(ROOT / "engine/bindings/c/palpate.h", tree / "include/palpate.h")
+    shutil.copyfile(ROOT / "engine/bindings/c/samples/Palpate.cs", tree / "share/palpate/csharp/Palpate.cs")
+    pc = (ROOT / "engine/bindings/c/palpate.pc.in").read_text()
     for key, value in (("CMAKE_INSTALL_LIBDIR", "lib"), ("PALPATE_PC_UP", "../.."), ("CMAKE_INSTALL_INCLUDEDIR", "include"), ("PROJECT_VERSION", release.version),
                        ("PROJECT_DESCRIPTION", "Haptic palpation: feel, see and measure touch on a soft body")):
         pc = pc.replace(f"@{key}@", value)
@@ -105,7 +105,7 @@ def with_everything_else(tree: pathlib.Path, release: Release, config: str) -> N
 
 
 def built_library(release: Release, target: Target) -> pathlib.Path:
-    return wanted(target.build(release) / "bindings/c" / f"libpalpate.so.{release.version}", target.how)
+    return wanted(target.build(release) / "engine/bindings/c" / f"libpalpate.so.{release.version}", target.how)
 
 
 def make_linux(release: Release, target: Target) -> None:
@@ -147,7 +147,7 @@ def exported(library: pathlib.Path) -> list:
 
 def windows_dll(release: Release, to: pathlib.Path) -> pathlib.Path:
     """palpate.dll, stripped."""
-    built = wanted(release.build.parent / "win64/bindings/c/palpate.dll", cross_build("win64"))
+    built = wanted(release.build.parent / "win64/engine/bindings/c/palpate.dll", cross_build("win64"))
     if shutil.which("x86_64-w64-mingw32-strip") is None:
         raise Missing("x86_64-w64-mingw32-strip is not installed (tools/install-dependencies --platforms)")
     # A DLL holds the time when it was linked; strip would write its own.
@@ -165,7 +165,7 @@ def make_c_windows(release: Release) -> None:
         with_everything_else(tree, release, CONFIG_WINDOWS)
         shutil.copyfile(built.parent / "libpalpate.dll.a", tree / "lib/libpalpate.dll.a")
         functions = exported(built)
-        declared = set(re.findall(r"\b(palpate_\w+)\(", (ROOT / "bindings/c/palpate.h").read_text()))
+        declared = set(re.findall(r"\b(palpate_\w+)\(", (ROOT / "engine/bindings/c/palpate.h").read_text()))
         if set(functions) != declared:
             raise Missing(f"{built} and palpate.h differ in {sorted(declared ^ set(functions))}")
         (tree / "lib/palpate.def").write_text("LIBRARY palpate.dll\r\nEXPORTS\r\n" + "".join(f"  {function}\r\n" for function in functions))

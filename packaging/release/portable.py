@@ -48,7 +48,7 @@ def make_portable(release: Release) -> None:
         (tree / "share/licenses").mkdir(parents=True)
         licences.of_this_machine(tree / "share/licenses", brought, release.build, targets)
         shutil.copyfile(ROOT / "LICENSE", tree / "share/licenses/palpate")
-        shutil.copytree(ROOT / "scenes", tree / "share/palpate/scenes")
+        shutil.copytree(ROOT / "examples/scenes", tree / "share/palpate/scenes")
         glibc = shared_objects.newest_symbol([*programs, *(tree / "lib/palpate").iterdir()], "GLIBC")
         (tree / "README").write_text(README.format(version=release.version, glibc=".".join(map(str, glibc))))
         archives.tar_gz(release.out / f"{name}.tar.gz", tree, name, release.epoch)

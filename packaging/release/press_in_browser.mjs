@@ -2,8 +2,8 @@
 //
 //   node packaging/release/press_in_browser.mjs FOLDER     FOLDER has node_modules/palpate
 import { resolve } from 'node:path';
-import { Browser, findBrowser } from '../../web/tests/browser.mjs';
-import { serve } from '../../web/tests/server.mjs';
+import { Browser, findBrowser } from '../../engine/web/tests/browser.mjs';
+import { serve } from '../../engine/web/tests/server.mjs';
 
 if (!findBrowser()) process.exit(77);
 const server = await serve(resolve(process.argv[2]), { isolated: false });

@@ -111,7 +111,7 @@ def make_unity(release: Release) -> None:
         notices.mkdir()
         shutil.copytree(SOURCE, package)
         glibc = bring_plugins(release, package / "Plugins", notices)
-        shutil.copyfile(ROOT / "bindings/c/samples/Palpate.cs", package / "Runtime/Palpate.cs")
+        shutil.copyfile(ROOT / "engine/bindings/c/samples/Palpate.cs", package / "Runtime/Palpate.cs")
         about = json.loads((package / "package.json").read_text())
         about["version"] = release.version
         (package / "package.json").write_text(json.dumps(about, indent=2) + "\n")

@@ -68,7 +68,7 @@ def make_windows(release: Release) -> None:
         for target in TARGETS:
             licences.of_windows(tree / "share/licenses", build, target)
         shutil.copyfile(ROOT / "LICENSE", tree / "share/licenses/palpate")
-        shutil.copytree(ROOT / "scenes", tree / "share/palpate/scenes", dirs_exist_ok=True)
+        shutil.copytree(ROOT / "examples/scenes", tree / "share/palpate/scenes", dirs_exist_ok=True)
         (tree / "README.txt").write_text(README.format(version=release.version).replace("\n", "\r\n"), newline="")
         names = sorted(str(file.relative_to(tree.parent)) for file in tree.rglob("*") if file.is_file())
         archives.zip_of(release.out / f"{name}.zip", tree.parent, names, release.epoch)
