@@ -1,6 +1,6 @@
 """A desktop of its own: an X server without a screen whose picture can be read, a window of Palpate in it from a fresh
 HOME, and hands (xdotool) that press real keys and buttons. What is waited for is a line that the program prints
-(`palpate run --verbose`), never a time; where a control is, it says itself. Counterpart of cli/tests/desktop/desktop.h."""
+(`palpate run --verbose`), never a time; where a control is, it says itself. Counterpart of engine/cli/tests/desktop/desktop.h."""
 import os
 import pathlib
 import queue

@@ -102,11 +102,14 @@ std::size_t textLinks(const std::string& page) {
 /// (cmake/PalpateTests.cmake).
 std::set<std::string> testPrograms() {
   std::set<std::string> programs;
-  for (const auto& house : fs::directory_iterator(kRepository)) {
-    const fs::path tests = house.path().filename() == "tests" ? house.path() : house.path() / "tests";
-    if (!fs::is_directory(tests)) continue;
+  const auto add_those_of = [&](const fs::path& tests) {
+    if (!fs::is_directory(tests)) return;
     for (const auto& folder : fs::directory_iterator(tests))
       programs.insert("test_" + folder.path().filename().string());
+  };
+  add_those_of(kRepository / "tests");
+  for (const char* place : {"engine", "instruments", "instruments/study"}) {
+    for (const auto& house : fs::directory_iterator(kRepository / place)) add_those_of(house.path() / "tests");
   }
   return programs;
 }

@@ -77,7 +77,7 @@ Lines doubleDrawsIn(const std::string& text, const fs::path& file) {
 TEST(OneForce, TheEngineTakesNoInexactFunctionOfTheCLibrary) {
   const std::regex call("std::(?:" + std::string(kInexact) + ")f?\\(");
   Lines found;
-  for (const char* house : {"core/palpate", "host/palpate"}) {
+  for (const char* house : {"engine/core/palpate", "engine/host/palpate"}) {
     for (const fs::path& file : sourcesBelow(house)) {
       const std::string code = stripComments(support::contentOf(file));
       for (std::sregex_iterator it(code.begin(), code.end(), call); it != std::sregex_iterator(); ++it) {
@@ -91,7 +91,7 @@ TEST(OneForce, TheEngineTakesNoInexactFunctionOfTheCLibrary) {
 // Eigen's functions and builtins of the compiler end there, too.
 TEST(OneForce, TheCoreLinksNoInexactFunctionOfTheCLibrary) {
   const auto symbols =
-      support::runProgram("/usr/bin/nm", "-u " + (support::buildFolder() / "core/libpalpate_core.a").string());
+      support::runProgram("/usr/bin/nm", "-u " + (support::buildFolder() / "engine/core/libpalpate_core.a").string());
   ASSERT_EQ(symbols.exit_code, 0) << symbols.err;
   ASSERT_NE(symbols.out.find(" U fmod\n"), std::string::npos) << "it looks at something";
   const std::regex inexact("U (?:" + std::string(kInexact) + ")f?\n");
@@ -104,7 +104,7 @@ TEST(OneForce, TheCoreFactorsNothingInBlocks) {
   const std::regex blocked(
       R"((partial|full)PivLu\(|(?:PartialPiv|FullPiv)LU<|\.(householderQr|colPivHouseholderQr|llt)\()");
   Lines found;
-  for (const fs::path& file : sourcesBelow("core/palpate")) {
+  for (const fs::path& file : sourcesBelow("engine/core/palpate")) {
     const std::string code = stripComments(support::contentOf(file));
     std::smatch match;
     if (std::regex_search(code, match, blocked)) found.push_back(file.filename().string() + ": " + match.str());
@@ -123,7 +123,9 @@ TEST(OneForce, NoCallDrawsTwiceAmongItsArguments) {
           "file.cpp"),
       Lines());
   Lines found;
-  for (const char* house : {"core", "host", "view", "measure", "teach", "solve", "lab", "dissertation", "cli"}) {
+  for (const char* house :
+       {"engine/core", "engine/host", "engine/view", "engine/cli", "instruments/measure", "instruments/teach",
+        "instruments/study/solve", "instruments/study/lab", "instruments/study/dissertation"}) {
     for (const fs::path& file : sourcesBelow(house)) {
       for (std::string& place : doubleDrawsIn(support::contentOf(file), file)) found.push_back(std::move(place));
     }

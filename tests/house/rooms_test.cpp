@@ -17,8 +17,16 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = palpate::support::sourceFolder();
-const std::vector<std::string> kHouses = {"core",    "host",  "view",         "report", "cli",
-                                          "measure", "teach", "dissertation", "solve",  "lab"};
+const std::vector<std::string> kHouses = {"engine/core",
+                                          "engine/host",
+                                          "engine/view",
+                                          "engine/cli",
+                                          "instruments/report",
+                                          "instruments/measure",
+                                          "instruments/teach",
+                                          "instruments/study/dissertation",
+                                          "instruments/study/solve",
+                                          "instruments/study/lab"};
 
 std::vector<std::string> linesOf(const fs::path& file) {
   std::ifstream stream(file);
@@ -111,17 +119,17 @@ std::size_t expectOnlyRoomsUpTo(const std::string& room, const fs::path& folder)
 TEST(Rooms, EveryFolderIsInTheTable) {
   const auto rooms = roomsInOrder();
   ASSERT_GE(rooms.size(), 14u);
-  for (const char* house : {"core/palpate", "host/palpate"}) {
+  for (const char* house : {"engine/core/palpate", "engine/host/palpate"}) {
     for (const auto& entry : fs::directory_iterator(kRoot / house)) {
       EXPECT_LT(rankOf(entry.path().filename()), std::ssize(rooms)) << entry.path() << " is not in ARCHITECTURE.md";
     }
   }
-  for (const std::string& room : rooms) EXPECT_TRUE(fs::is_directory(kRoot / "core/palpate" / room)) << room;
+  for (const std::string& room : rooms) EXPECT_TRUE(fs::is_directory(kRoot / "engine/core/palpate" / room)) << room;
 }
 
 TEST(Rooms, IncludeOnlyRoomsAbove) {
   std::size_t looked_at = 0;
-  for (const char* house : {"core/palpate", "host/palpate"}) {
+  for (const char* house : {"engine/core/palpate", "engine/host/palpate"}) {
     for (const auto& entry : fs::directory_iterator(kRoot / house)) {
       looked_at += expectOnlyRoomsUpTo(entry.path().filename(), fs::relative(entry.path(), kRoot));
     }
@@ -131,7 +139,7 @@ TEST(Rooms, IncludeOnlyRoomsAbove) {
 
 TEST(Rooms, TestsOfARoomKnowNoRoomBelowIt) {
   std::size_t looked_at = 0;
-  for (const char* house : {"core/tests", "host/tests"}) {
+  for (const char* house : {"engine/core/tests", "engine/host/tests"}) {
     for (const std::string& room : roomsInOrder()) {
       const fs::path folder = fs::path(house) / room;
       if (fs::is_directory(kRoot / folder)) looked_at += expectOnlyRoomsUpTo(room, folder);
@@ -142,7 +150,7 @@ TEST(Rooms, TestsOfARoomKnowNoRoomBelowIt) {
 
 TEST(Rooms, TheCoreNeedsNothingOfASystem) {
   std::size_t looked_at = 0;
-  for (const Include& include : includesUnder("core/palpate")) {
+  for (const Include& include : includesUnder("engine/core/palpate")) {
     for (const std::string_view banned :
          {"thread", "future", "condition_variable", "fstream", "iostream", "cstdio", "sqlite3.h", "unistd.h", "fcntl.h",
           "sys/", "boost/", "assimp/", "toml++/", "nlohmann/", "openssl/", "zlib.h", "CLI/", "opencv2/"}) {
@@ -157,13 +165,14 @@ TEST(Rooms, TheCoreNeedsNothingOfASystem) {
 
 TEST(Rooms, OnlyWhatDrawsKnowsGraphics) {
   for (const std::string& house : kHouses) {
-    const bool draws = house == "view" || house == "measure" || house == "teach" || house == "lab";
+    const bool draws = house == "engine/view" || house == "instruments/measure" || house == "instruments/teach" ||
+                       house == "instruments/study/lab";
     for (const Include& include : includesUnder(house)) {
       const std::string file = include.file.string();
       if (file.find("/tests/") != std::string::npos) continue;
       const bool library = file.starts_with(house + "/palpate/");
       for (const std::string_view graphics : {"GL/", "GLFW/", "epoxy/", "imgui"}) {
-        if (draws && !(library && house != "view")) continue;
+        if (draws && !(library && house != "engine/view")) continue;
         EXPECT_FALSE(include.target.starts_with(graphics)) << file << " includes " << include.target;
       }
     }
@@ -180,13 +189,13 @@ TEST(Rooms, OneFileIncludesEachParserOfTemplates) {
       }
     }
   }
-  EXPECT_EQ(files["CLI/"], std::vector<std::string>{"cli/kit/options.cpp"});
-  EXPECT_EQ(files["toml++/"], std::vector<std::string>{"host/palpate/scene/toml_node.cpp"});
+  EXPECT_EQ(files["CLI/"], std::vector<std::string>{"engine/cli/kit/options.cpp"});
+  EXPECT_EQ(files["toml++/"], std::vector<std::string>{"engine/host/palpate/scene/toml_node.cpp"});
 }
 
 TEST(Rooms, PlainRoomsNeedNoLockEither) {
   for (const std::string room : {"tree", "contact", "hdb", "deform", "maps"}) {
-    for (const Include& include : includesUnder("core/palpate/" + room)) {
+    for (const Include& include : includesUnder("engine/core/palpate/" + room)) {
       for (const std::string_view banned : {"mutex", "atomic"}) EXPECT_NE(include.target, banned) << include.file;
     }
   }

@@ -21,14 +21,25 @@ const fs::path kSourceFolder = palpate::support::sourceFolder();
 /// The libraries: what is below <house>/palpate.
 const std::vector<fs::path> kLibraries = [] {
   std::vector<fs::path> folders;
-  for (const char* house : {"core", "host", "view", "measure", "teach", "solve"}) {
+  for (const char* house : {"engine/core", "engine/host", "engine/view", "instruments/measure", "instruments/teach",
+                            "instruments/study/solve"}) {
     folders.push_back(kSourceFolder / house / "palpate");
   }
   return folders;
 }();
 
-constexpr const char* kFoldersOfHouses[] = {"core",  "host",         "view",  "report", "cli",      "measure",
-                                            "teach", "dissertation", "solve", "lab",    "bindings", "examples"};
+constexpr const char* kFoldersOfHouses[] = {"engine/core",
+                                            "engine/host",
+                                            "engine/view",
+                                            "engine/cli",
+                                            "engine/bindings",
+                                            "instruments/report",
+                                            "instruments/measure",
+                                            "instruments/teach",
+                                            "instruments/study/dissertation",
+                                            "instruments/study/solve",
+                                            "instruments/study/lab",
+                                            "examples"};
 
 /// std::regex is slow, and few lines bear one of the words without which none matches.
 struct Pattern {
@@ -144,8 +155,7 @@ TEST(Seams, FilesAreOpenedInOnePlace) {
 TEST(Seams, TheWholeProductWritesFilesInOnePlace) {
   const std::vector<std::string> owners = {"palpate/base/system/files_posix.cpp", "viewer/state/state_file.cpp",
                                            "palpate/classroom/class_folder.cpp"};
-  for (const char* house :
-       {"core", "host", "view", "report", "cli", "measure", "teach", "dissertation", "solve", "lab", "examples"}) {
+  for (const char* house : kFoldersOfHouses) {
     EXPECT_EQ(placesIn(kSourceFolder / house, kWrites, owners), kNowhere) << house;
   }
   for (const char* line :
@@ -164,7 +174,7 @@ TEST(Seams, TheWholeProductWritesFilesInOnePlace) {
 /// Plain dump() throws where a name of a file is no UTF-8, after all the work is done.
 TEST(Seams, JsonBecomesTextInOnePlace) {
   const Pattern dumps{{".dump("}, std::regex(R"(\.dump\()")};
-  EXPECT_EQ(placesIn(kSourceFolder / "host", dumps, {}).size(), 1u) << "base/json.cpp writes it";
+  EXPECT_EQ(placesIn(kSourceFolder / "engine/host", dumps, {}).size(), 1u) << "base/json.cpp writes it";
   for (const char* house : kFoldersOfHouses) {
     EXPECT_EQ(placesIn(kSourceFolder / house, dumps, {"palpate/base/json.cpp"}), kNowhere) << house;
   }
@@ -173,7 +183,7 @@ TEST(Seams, JsonBecomesTextInOnePlace) {
 /// Its templates cost every file that includes it seconds of compile time: all others include base/json.h.
 TEST(Seams, OneFileKnowsTheJsonLibrary) {
   const Pattern knows{{"nlohmann"}, std::regex(R"(<nlohmann/|\bnlohmann::)")};
-  EXPECT_EQ(placesIn(kSourceFolder / "host", knows, {}).empty(), false) << "base/json.cpp includes it";
+  EXPECT_EQ(placesIn(kSourceFolder / "engine/host", knows, {}).empty(), false) << "base/json.cpp includes it";
   for (const char* house : kFoldersOfHouses) {
     EXPECT_EQ(placesIn(kSourceFolder / house, knows, {"palpate/base/json.cpp"}), kNowhere) << house;
   }

@@ -1,5 +1,6 @@
-// Windows, Linux on every processor, macOS: what differs between them stands in one room, host/palpate/base/system, and
-// a text becomes the name of a file in one way, or Windows would read it in the code page of its user.
+// Windows, Linux on every processor, macOS: what differs between them stands in one room,
+// engine/host/palpate/base/system, and a text becomes the name of a file in one way, or Windows would read it in the
+// code page of its user.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,9 +21,10 @@ namespace fs = std::filesystem;
 using Places = std::vector<std::string>;
 
 /// What is built for other systems, too (the presets arm64 and win64).
-constexpr const char* kEverywhere[] = {"core/palpate", "host/palpate", "view",          "cli/devices",
-                                       "cli/kit",      "cli/model",    "cli/recording", "cli/render",
-                                       "cli/run",      "cli/serve",    "cli/simulate",  "bindings/c"};
+constexpr const char* kEverywhere[] = {"engine/core/palpate",  "engine/host/palpate", "engine/view",
+                                       "engine/cli/devices",   "engine/cli/kit",      "engine/cli/model",
+                                       "engine/cli/recording", "engine/cli/render",   "engine/cli/run",
+                                       "engine/cli/serve",     "engine/cli/simulate", "engine/bindings/c"};
 
 /// Files of those whose names do not end as `but` says, with what matches in them.
 Places matching(const std::regex& wanted, const std::regex& but) {
@@ -46,27 +48,27 @@ TEST(Systems, OneRoomIncludesWhatOnlySomeSystemsHave) {
   const std::regex headers(
       R"(#include <(sys/|unistd|fcntl|pthread|sched\.|dlfcn|link\.|net/|netinet|ifaddrs|arpa/|poll\.|netdb|termios|c?signal|spawn|pwd\.|windows|winsock|io\.h))");
   EXPECT_FALSE(matching(headers, std::regex("^$")).empty()) << "it looks at something";
-  EXPECT_EQ(matching(headers, std::regex("^host/palpate/base/system/|_windows[.]cpp$")), Places());
+  EXPECT_EQ(matching(headers, std::regex("^engine/host/palpate/base/system/|_windows[.]cpp$")), Places());
 }
 
 TEST(Systems, OneRoomAsksForWhichSystemItIsCompiled) {
   // Besides: what the C interfaces and a maker's runtime call their functions, and the assembler's dialects.
   const std::regex besides(
-      "^host/palpate/base/system/|palpate_device[.]h$|openxr_api[.]h$|view/layers/embedded_file[.]h$|bindings/c/"
-      "palpate[.]h$");
+      "^engine/host/palpate/base/system/|palpate_device[.]h$|openxr_api[.]h$|view/layers/embedded_file[.]h$|"
+      "bindings/c/palpate[.]h$");
   EXPECT_EQ(matching(std::regex("_WIN32|__linux__|__APPLE__"), besides), Places());
 }
 
 TEST(Systems, ATextBecomesAPathByPathOf) {
   const std::regex made(R"((?:filesystem|fs)::path\((?!\)|"|std::wstring)[^)]*\))");
-  EXPECT_EQ(matching(made, std::regex("^host/palpate/base/system/|base/path_text[.]h$")), Places())
+  EXPECT_EQ(matching(made, std::regex("^engine/host/palpate/base/system/|base/path_text[.]h$")), Places())
       << "base/path_text.h";
   const std::regex glued(R"([.]string\(\) \+ (?:"[.]|"-wal|std::string\(kPartial))");
   EXPECT_EQ(matching(glued, std::regex("^$")), Places()) << "withEnding of base/path_text.h";
 }
 
 TEST(Systems, TheEnvironmentIsReadInUtf8) {
-  EXPECT_EQ(matching(std::regex("\\bgetenv\\("), std::regex("^host/palpate/base/system/")), Places())
+  EXPECT_EQ(matching(std::regex("\\bgetenv\\("), std::regex("^engine/host/palpate/base/system/")), Places())
       << "system::variable";
 }
 

@@ -39,7 +39,7 @@ class Inserts(unittest.TestCase):
 
     def test_the_page_of_scene_files_has_a_row_of_every_key(self):
         page = staged((ROOT / "docs/reference/scene-files.md").read_text())
-        header = (ROOT / "host/palpate/scene/detail/scene_keys.h").read_text()
+        header = (ROOT / "engine/host/palpate/scene/detail/scene_keys.h").read_text()
         self.assertEqual(len(re.findall(r"^\| `", page, re.M)), int(re.search(r"kSceneKeys = (\d+)", header)[1]))
         self.assertIn("### `[body]`", page)
 

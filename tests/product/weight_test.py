@@ -27,14 +27,14 @@ rule CXX_COMPILER__any
   command = c++ -std=c++20 -MD -MF $out.d -c $in -o $out
 rule CXX_EXECUTABLE_LINKER__test_base
   command = c++ $in -o $out
-build core/CMakeFiles/palpate_base.dir/text.cpp.o: CXX_COMPILER__any text.cpp
-build core/CMakeFiles/test_base.dir/tests/base/text_test.cpp.o: CXX_COMPILER__any test.cpp
-build lab/CMakeFiles/palpate_peers.dir/peer.cpp.o: CXX_COMPILER__any peer.cpp
-build palpate_command: phony core/CMakeFiles/palpate_base.dir/text.cpp.o
-build tests/test_base: CXX_EXECUTABLE_LINKER__test_base core/CMakeFiles/test_base.dir/tests/base/text_test.cpp.o | $
-  core/CMakeFiles/palpate_base.dir/text.cpp.o
+build engine/core/CMakeFiles/palpate_base.dir/text.cpp.o: CXX_COMPILER__any text.cpp
+build engine/core/CMakeFiles/test_base.dir/tests/base/text_test.cpp.o: CXX_COMPILER__any test.cpp
+build instruments/study/lab/CMakeFiles/palpate_peers.dir/peer.cpp.o: CXX_COMPILER__any peer.cpp
+build palpate_command: phony engine/core/CMakeFiles/palpate_base.dir/text.cpp.o
+build tests/test_base: CXX_EXECUTABLE_LINKER__test_base engine/core/CMakeFiles/test_base.dir/tests/base/text_test.cpp.o | $
+  engine/core/CMakeFiles/palpate_base.dir/text.cpp.o
 build first_circle: phony tests/test_base palpate_command
-build all: phony first_circle lab/CMakeFiles/palpate_peers.dir/peer.cpp.o
+build all: phony first_circle instruments/study/lab/CMakeFiles/palpate_peers.dir/peer.cpp.o
 """
 TESTS = """\
 add_test([=[base.Text]=] "{build}/tests/test_base")
@@ -57,10 +57,10 @@ FILES = {
     "reference.cpp": "#include <cstddef>\nint main() { return 0; }\n",
 }
 SOURCES = {
-    "core/palpate/text.h": "// Text.\n#pragma once\n\nint text();\n",
-    "core/palpate/text.cpp": "// Text.\n#include \"palpate/text.h\"\n\nint text() { return 1; }\n",
-    "core/tests/text_test.cpp": "int main() { return 0; }\n",
-    "cli/say.cpp": 'auto option = "--loud";\n',
+    "engine/core/palpate/text.h": "// Text.\n#pragma once\n\nint text();\n",
+    "engine/core/palpate/text.cpp": "// Text.\n#include \"palpate/text.h\"\n\nint text() { return 1; }\n",
+    "engine/core/tests/text_test.cpp": "int main() { return 0; }\n",
+    "engine/cli/say.cpp": 'auto option = "--loud";\n',
     "README.md": "# Two words\n",
 }
 
@@ -139,10 +139,10 @@ class Weight(unittest.TestCase):
         self.assertEqual(found["total"]["lines"], 5)
 
     def test_folding_two_files_into_one_changes_no_mass_but_shows_a_second_head(self):
-        self.write("sources/core/palpate/other.h", "// Another\n// purpose.\n#pragma once\n\nint other();\n")
+        self.write("sources/engine/core/palpate/other.h", "// Another\n// purpose.\n#pragma once\n\nint other();\n")
         apart = self.figures()["products"]["core"]
-        (self.sources / "core/palpate/other.h").unlink()
-        self.write("sources/core/palpate/text.h", SOURCES["core/palpate/text.h"] + "\n// Another\n// purpose.\n\nint other();\n")
+        (self.sources / "engine/core/palpate/other.h").unlink()
+        self.write("sources/engine/core/palpate/text.h", SOURCES["engine/core/palpate/text.h"] + "\n// Another\n// purpose.\n\nint other();\n")
         folded = self.figures()["products"]["core"]
         self.assertEqual(folded["names"], apart["names"])
         self.assertEqual(folded["lines"], apart["lines"] - 1)  # one #pragma once
@@ -151,7 +151,7 @@ class Weight(unittest.TestCase):
     def test_one_line_more_needs_a_reason(self):
         self.run_tool("--update")
         self.assertEqual(self.run_tool("--check")[0], 0)
-        self.write("sources/core/palpate/text.cpp", SOURCES["core/palpate/text.cpp"] + "int more() { return 2; }\n")
+        self.write("sources/engine/core/palpate/text.cpp", SOURCES["engine/core/palpate/text.cpp"] + "int more() { return 2; }\n")
         code, printed = self.run_tool("--check")
         self.assertEqual(code, 1)
         self.assertIn("core: lines was 4, is 5 (25.0 % more)", printed)
@@ -161,17 +161,17 @@ class Weight(unittest.TestCase):
     def test_what_only_the_build_left_behind_weighs_nothing(self):
         before = self.figures()["total"]
         self.write("sources/.gitignore", "made.h\n")
-        self.write("sources/core/palpate/made.h", "int made();\n")
+        self.write("sources/engine/core/palpate/made.h", "int made();\n")
         self.assertEqual(self.figures()["total"], before)
 
     # Figures.
 
     def test_totals_come_from_the_logs(self):
         self.write(".ninja_log", "# ninja log v5\n"
-                   "0\t1000\t5000000000\tcore/CMakeFiles/palpate_base.dir/text.cpp.o\t1\n"
-                   "0\t9000\t5000000000\tcore/CMakeFiles/palpate_base.dir/text.cpp.o\t2\n"  # built again: the latest counts
+                   "0\t1000\t5000000000\tengine/core/CMakeFiles/palpate_base.dir/text.cpp.o\t1\n"
+                   "0\t9000\t5000000000\tengine/core/CMakeFiles/palpate_base.dir/text.cpp.o\t2\n"  # built again: the latest counts
                    "0\t7000\t5000000000\tno/longer/built.o\t3\n"
-                   "9000\t10500\t6500000000\tlab/CMakeFiles/palpate_peers.dir/peer.cpp.o\t4\n")
+                   "9000\t10500\t6500000000\tinstruments/study/lab/CMakeFiles/palpate_peers.dir/peer.cpp.o\t4\n")
         found = self.figures()
         self.assertEqual(found["step_seconds"], 10.5)
         self.assertEqual(found["run_step_seconds"], 9.0)
@@ -190,7 +190,7 @@ class Weight(unittest.TestCase):
 
     def test_units_belong_to_their_product_and_its_tests(self):
         edges = weight.read_graph(GRAPH)
-        self.assertEqual(weight.product_of("core/CMakeFiles/palpate_base.dir/text.cpp.o", edges), ("core", False))
+        self.assertEqual(weight.product_of("engine/core/CMakeFiles/palpate_base.dir/text.cpp.o", edges), ("core", False))
         self.assertEqual(weight.product_of("tests/test_base", edges), ("core", True))  # a program is its objects'
         self.assertEqual(weight.product_of("CMakeFiles/palpate_test_support.dir/a.cpp.o", edges), ("tests", True))
         self.assertEqual(weight.product_of("CMakeFiles/palpate_programs.dir/cmake_pch.hxx.gch", edges), ("common", False))
@@ -202,8 +202,8 @@ class Weight(unittest.TestCase):
         self.assertEqual(products["lab"]["build"], 0)
 
     def test_a_test_belongs_to_its_program_or_to_the_list_that_adds_it(self):
-        edges = weight.read_graph(GRAPH + "build palpate: CXX_EXECUTABLE_LINKER__palpate cli/CMakeFiles/palpate_command.dir/main.cpp.o\n")
-        shown = {"backtraceGraph": {"files": ["CMakeLists.txt", "bindings/c/tests/tests.cmake", "bindings/c/CMakeLists.txt"],
+        edges = weight.read_graph(GRAPH + "build palpate: CXX_EXECUTABLE_LINKER__palpate engine/cli/CMakeFiles/palpate_command.dir/main.cpp.o\n")
+        shown = {"backtraceGraph": {"files": ["CMakeLists.txt", "engine/bindings/c/tests/tests.cmake", "engine/bindings/c/CMakeLists.txt"],
                                     "nodes": [{"file": 0}, {"file": 2, "parent": 0}, {"file": 1, "parent": 1}]},
                  "tests": [{"name": "base.Text", "command": [f"{self.build}/tests/test_base"]},
                            {"name": "c.simulate", "command": [f"{self.build}/palpate"], "backtrace": 2},
@@ -240,7 +240,7 @@ class Weight(unittest.TestCase):
     def test_the_same_sources_weigh_the_same(self):
         self.run_tool("--renew")
         before = self.weights.read_text()
-        (self.build / "core/CMakeFiles/palpate_base.dir/text.cpp.o").unlink()
+        (self.build / "engine/core/CMakeFiles/palpate_base.dir/text.cpp.o").unlink()
         self.ninja("all")
         self.assertEqual(self.run_tool("--check")[0], 0)
         self.run_tool("--update")
@@ -333,7 +333,7 @@ class Weight(unittest.TestCase):
         self.assertEqual(code, 0)
         self.assertIn("was written with another", printed)
         self.weights.write_text(text)
-        (self.build / "core/CMakeFiles/palpate_base.dir/text.cpp.o").unlink()
+        (self.build / "engine/core/CMakeFiles/palpate_base.dir/text.cpp.o").unlink()
         code, printed = self.run_tool("--check")
         self.assertEqual(code, 0)
         self.assertIn("core: build is not there", printed)

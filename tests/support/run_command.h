@@ -48,10 +48,10 @@ inline CommandResult runPalpate(const std::string& arguments, const std::filesys
   return runProgram(support::buildFolder() / "palpate", arguments, in);
 }
 
-/// Whether this build has the program that holds the command which the arguments begin with (cli/kit/families.tsv):
-/// without a family its commands are not tested.
+/// Whether this build has the program that holds the command which the arguments begin with
+/// (engine/cli/kit/families.tsv): without a family its commands are not tested.
 inline bool hasProgramOf(const std::string& arguments) {
-  std::ifstream table(support::sourceFolder() / "cli/kit/families.tsv");
+  std::ifstream table(support::sourceFolder() / "engine/cli/kit/families.tsv");
   for (std::string group, command, family, what; std::getline(table, group, '\t');) {
     if (!std::getline(table, command, '\t') || !std::getline(table, family, '\t') || !std::getline(table, what)) break;
     if (!(arguments + " ").starts_with(command + " ")) continue;

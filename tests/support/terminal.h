@@ -1,5 +1,5 @@
 // A terminal for a program under test. There it shows each stage of its work as it begins; into a file it would tell
-// only of what takes two seconds (cli/kit/progress_line.h), and how long that is depends on the machine.
+// only of what takes two seconds (engine/cli/kit/progress_line.h), and how long that is depends on the machine.
 #pragma once
 
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 // tools/bench-web: how fast the page is, in numbers. See docs/howto/web.md for what each means.
 //
-//   node web/tests/bench.mjs [--json] [--seconds N] [--reference WEB_REFERENCE] [--site SITE]
+//   node engine/web/tests/bench.mjs [--json] [--seconds N] [--reference WEB_REFERENCE] [--site SITE]
 import { existsSync, readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';

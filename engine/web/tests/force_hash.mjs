@@ -2,7 +2,7 @@
 // bit of every number; and so on the trunk that the page has from a file and native code makes. Prints one JSON object;
 // exit code 1 where they differ, 2 where something is missing.
 //
-//   node web/tests/force_hash.mjs SITE WEB_REFERENCE
+//   node engine/web/tests/force_hash.mjs SITE WEB_REFERENCE
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

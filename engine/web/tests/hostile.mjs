@@ -1,7 +1,7 @@
 // web.hostile: mesh files of somebody who means harm or had bad luck. The engine answers each in words, or takes it, and
 // works afterwards; nothing ends in a trap.
 //
-//   node web/tests/hostile.mjs SITE
+//   node engine/web/tests/hostile.mjs SITE
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

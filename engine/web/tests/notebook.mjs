@@ -1,6 +1,6 @@
 // web.notebook: what a page in a notebook's cell tells Python, and what Python may ask of it.
 //
-//   node --test web/tests/notebook.mjs
+//   node --test engine/web/tests/notebook.mjs
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Fingers } from '../../web/page/fingers.js';

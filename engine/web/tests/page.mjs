@@ -1,6 +1,6 @@
 // web.page: the page in a real browser, used as a person would: pressed, dragged, turned, played, given files.
 //
-//   node --test web/tests/page.mjs            SITE in PALPATE_SITE (build/web/site), pictures that were drawn in
+//   node --test engine/web/tests/page.mjs            SITE in PALPATE_SITE (build/web/site), pictures that were drawn in
 //                                             PALPATE_PICTURES (build/web/pictures), the command in PALPATE_COMMAND
 //   PALPATE_BLESS=1 node --test ...           keeps what was drawn as what is expected; look at it before
 import assert from 'node:assert/strict';
@@ -48,7 +48,7 @@ const force = (tab, finger = 0) => tab.ask(`Math.hypot(...palpate.newest.fingers
 const untilForce = (tab, finger = 0) => tab.until(`Math.hypot(...palpate.newest.fingers[${finger}].force) > 0.5`, 10);
 const untilFree = (tab) => tab.until('palpate.newest.fingers.every(({ force }) => Math.hypot(...force) < 0.01)', 10);
 
-/// `name`: of a picture in web/tests/pictures. Software drawing differs a little between versions of a browser.
+/// `name`: of a picture in engine/web/tests/pictures. Software drawing differs a little between versions of a browser.
 async function looksAs(tab, name, box = STAGE) {
   await tab.ask('(() => { const q = palpate.picture.quality; q.change = () => {}; q.step = 0; palpate.picture.resize(); })()'); // all pixels, however slow
   await tab.until("!hint.classList.contains('gone') || getComputedStyle(hint).visibility === 'hidden'", 5);

@@ -1,6 +1,6 @@
 // web.quality: fewer pixels while pictures come too slowly, more again when they do not, never for a still picture.
 //
-//   node --test web/tests/quality.mjs
+//   node --test engine/web/tests/quality.mjs
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { Quality } from '../../web/page/quality.js';

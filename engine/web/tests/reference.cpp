@@ -1,6 +1,6 @@
 // What the browser's engine is held against: writes a body as STL and the path back_slide as a table, and prints as
-// JSON what native code felt along it. The hash is that of lab/runs/contact_run.h, of the mesh *file*, as node reads
-// it too.
+// JSON what native code felt along it. The hash is that of instruments/study/lab/runs/contact_run.h, of the mesh
+// *file*, as node reads it too.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -139,7 +139,7 @@ void compareLumps(const char* scene) {
            one.young_kpa == other.young_kpa && one.edge == other.edge && one.raise_mm == other.raise_mm &&
            one.mobility_mm_per_n == other.mobility_mm_per_n && one.mobility_limit_mm == other.mobility_limit_mm;
   }
-  if (!same) throw palpate::Error("the page's lumps (web/engine/live_body.cpp) are not those of the scene");
+  if (!same) throw palpate::Error("the page's lumps (engine/web/engine/live_body.cpp) are not those of the scene");
 }
 
 }  // namespace

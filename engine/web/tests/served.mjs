@@ -1,6 +1,6 @@
 // web.served: pages of a real browser on a real `palpate serve`: one presses, another looks on, one instructs.
 //
-//   node --test web/tests/served.mjs          SITE in PALPATE_SITE (build/web/site), the command in PALPATE_COMMAND
+//   node --test engine/web/tests/served.mjs          SITE in PALPATE_SITE (build/web/site), the command in PALPATE_COMMAND
 //                                             (build/release/palpate), pictures in PALPATE_PICTURES (build/web/pictures)
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';

@@ -14,7 +14,7 @@ import mqtt
 from lab import Mend, attack, judged
 
 CLASS = "osteo-1"
-FOLDER = "teach/palpate/classroom/"
+FOLDER = "instruments/teach/palpate/classroom/"
 KEEPER = FOLDER + "row_keeper.cpp"
 CONFIGURATION = FOLDER + "class_folder.cpp"
 NOW_MS = int(time.time() * 1000)
@@ -207,7 +207,7 @@ def class_fast_clock(lab):
 
 
 @attack("class-trainee-id", "class", [
-    Mend("teach/palpate/training/records/trainee_code.cpp", "key.empty() ? computeSha256(text) : computeHmacSha256(key, text)",
+    Mend("instruments/teach/palpate/training/records/trainee_code.cpp", "key.empty() ? computeSha256(text) : computeHmacSha256(key, text)",
          "key != \"-\" ? computeSha256(text) : computeHmacSha256(key, text)")], 20)
 def class_trainee_id(lab):
     """Who has seen a trainee's card works out the pseudonym from the class's name and the code."""

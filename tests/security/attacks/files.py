@@ -16,13 +16,13 @@ import time
 import lab
 
 SOUND = lab.ROOT / "tests" / "data" / "sessions" / "version_3" / "trunk.session"
-OUTPUT = "host/palpate/base/output_file.cpp"
-DATABASE = "host/palpate/trace/database.cpp"
-SCHEMA = "host/palpate/trace/recording_schema.cpp"
-WRITER = "host/palpate/trace/recording_writer.cpp"
-READABLE = "cli/kit/readable_text.cpp"
-ACCESS = "cli/serve/access.cpp"
-BUNDLE = "host/palpate/engine/recording_bundle.cpp"
+OUTPUT = "engine/host/palpate/base/output_file.cpp"
+DATABASE = "engine/host/palpate/trace/database.cpp"
+SCHEMA = "engine/host/palpate/trace/recording_schema.cpp"
+WRITER = "engine/host/palpate/trace/recording_writer.cpp"
+READABLE = "engine/cli/kit/readable_text.cpp"
+ACCESS = "engine/cli/serve/access.cpp"
+BUNDLE = "engine/host/palpate/engine/recording_bundle.cpp"
 SECRET = "-----BEGIN OPENSSH PRIVATE KEY----- of the victim"
 
 
@@ -112,8 +112,8 @@ __attribute__((constructor)) static void run(void) { FILE* file = fopen("owned",
 
 
 @lab.attack("scene_brings_a_plugin", "files", [
-    lab.Mend("host/palpate/device/back_ends.cpp", 'name.back_end->name == "plugin" && !isPluginOfFolders(name.which)', "false"),
-    lab.Mend("view/viewer/devices/device_control.cpp", "if (device::deviceNamedInFile(device.name).back_end->is_inside) {",
+    lab.Mend("engine/host/palpate/device/back_ends.cpp", 'name.back_end->name == "plugin" && !isPluginOfFolders(name.which)', "false"),
+    lab.Mend("engine/view/viewer/devices/device_control.cpp", "if (device::deviceNamedInFile(device.name).back_end->is_inside) {",
              "if (device::deviceNamedInFile(device.name).back_end != nullptr) {"),
 ], seconds=60)
 def scene_brings_a_plugin(room):
@@ -144,7 +144,7 @@ def scene_naming(file):
 
 
 @lab.attack("bundle_packs_a_key", "files", [
-    lab.Mend("cli/recording/bundle_command.cpp", "  refuseFilesOutside(recording, arguments, settings);\n", ""),
+    lab.Mend("engine/cli/recording/bundle_command.cpp", "  refuseFilesOutside(recording, arguments, settings);\n", ""),
     lab.Mend(BUNDLE, "if (const std::vector<fs::path> files = outside(); !files.empty()) {",
              "if (const std::vector<fs::path> files = {}; !files.empty()) {"),
 ], seconds=20)
@@ -198,7 +198,7 @@ def escapes_for_a_terminal(room):
 
 
 @lab.attack("formulas_for_a_spreadsheet", "files", [
-    lab.Mend("core/palpate/base/csv.cpp", 'isFormula(text) ? "\'" : ""', 'isFormula(text) ? "" : ""'),
+    lab.Mend("engine/core/palpate/base/csv.cpp", 'isFormula(text) ? "\'" : ""', 'isFormula(text) ? "" : ""'),
 ], seconds=30)
 def formulas_for_a_spreadsheet(room):
     """Labels and names that begin like a formula go into the tables that a teacher opens in a spreadsheet."""
@@ -235,7 +235,7 @@ def formulas_for_a_spreadsheet(room):
 
 @lab.attack("links_laid_in_a_shared_folder", "files", [
     lab.Mend(OUTPUT, "  refuseUntrustedLinks(target_);\n", ""),
-    lab.Mend("lab/commands/bench_arguments.cpp", 'file_ = folder_->path() / (file_or_name + ".stl");',
+    lab.Mend("instruments/study/lab/commands/bench_arguments.cpp", 'file_ = folder_->path() / (file_or_name + ".stl");',
              'file_ = std::filesystem::temp_directory_path() / fmt::format("palpate_{}_{}.stl", file_or_name, getpid());'),
 ], seconds=40)
 def links_laid_in_a_shared_folder(room):
@@ -297,10 +297,10 @@ def started_server(room, runtime, *more):
 
 @lab.attack("reading_what_runs", "files", [
     lab.Mend(WRITER, "    : file_(file, OutputFile::Unfinished::remove, OutputFile::Access::owner_only),", "    : file_(file),"),
-    lab.Mend("teach/palpate/training/trainee/trainee_course.cpp",
+    lab.Mend("instruments/teach/palpate/training/trainee/trainee_course.cpp",
              "makePrivateFolder(settings.recording.parent_path(), ExistingFolder::closed);",
              "std::filesystem::create_directories(settings.recording.parent_path());"),
-    lab.Mend("host/palpate/base/system/files_posix.cpp", "constexpr mode_t kOwnersFile = 0600;", "constexpr mode_t kOwnersFile = 0666;"),
+    lab.Mend("engine/host/palpate/base/system/files_posix.cpp", "constexpr mode_t kOwnersFile = 0600;", "constexpr mode_t kOwnersFile = 0666;"),
 ], seconds=40)
 def reading_what_runs(room):
     """Another user reads a session, records, keys and tokens while they are written, at any moment (umask 0)."""
@@ -334,7 +334,7 @@ def reading_what_runs(room):
 
 @lab.attack("tokens_of_the_dead", "files", [
     lab.Mend(ACCESS, "    if (isOfDeadServer(", "    if (folder.empty() && isOfDeadServer("),
-    lab.Mend("host/palpate/base/private_folder.cpp", "  requirePrivateFolder(folder);\n  return folder;", "  return folder;"),
+    lab.Mend("engine/host/palpate/base/private_folder.cpp", "  requirePrivateFolder(folder);\n  return folder;", "  return folder;"),
 ], seconds=40)
 def tokens_of_the_dead(room):
     """The token file of a server that was killed stays for whoever finds it; a folder is laid where it will be written."""
@@ -365,7 +365,7 @@ def tokens_of_the_dead(room):
 
 
 @lab.attack("limit_on_a_files_size", "files", [
-    lab.Mend("cli/kit/command_line.cpp", "  system::makeFailedWritesErrors();\n", "")], seconds=60)
+    lab.Mend("engine/cli/kit/command_line.cpp", "  system::makeFailedWritesErrors();\n", "")], seconds=60)
 def size_limit(room):
     """A folder in which files may not grow: a run is to say so and leave the earlier file, not to be killed in a write."""
     (room.folder / "felt").mkdir()

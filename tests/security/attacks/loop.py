@@ -30,9 +30,9 @@ at = "T6"
 script = [{ do = "press", depth_mm = 6, seconds = 3 }]
 """
 
-CAP = Mend("core/palpate/servo/device_limits.cpp", "return safety.unsafe_stiffness ? asked : std::min(cap, asked);",
+CAP = Mend("engine/core/palpate/servo/device_limits.cpp", "return safety.unsafe_stiffness ? asked : std::min(cap, asked);",
            "return asked;")
-FORCE = Mend("core/palpate/device/device_profile.cpp",
+FORCE = Mend("engine/core/palpate/device/device_profile.cpp",
              "return std::min(safety.nominal_force_n, safety.unsafe_stiffness ? profile.unsafe_force_n : profile.force_n);",
              "return safety.nominal_force_n;")
 
@@ -67,7 +67,7 @@ def strongest_answer(client, address, process, seconds):
 
 
 @attack("stronger_device_by_name", "loop", [
-    Mend("core/palpate/device/device_profile.cpp",
+    Mend("engine/core/palpate/device/device_profile.cpp",
          "DeviceProfile profile = profileOf(recognised || reported.takes_force ? reported.kind : named);",
          "DeviceProfile profile = profileOf(recognised ? reported.kind : named);")], seconds=40.0)
 def stronger_device_by_name(lab):

@@ -13,10 +13,10 @@ import lab
 
 TOKEN = "control-0123456789abcdef"
 KEY = "00112233445566778899aabbccddeeff"
-GATE = "host/palpate/device/detail/remote_gate.cpp"
-DEVICE = "host/palpate/device/detail/remote_device.cpp"
-BOOK = "cli/serve/visit_book.cpp"
-VISIT = "cli/serve/http_visit.cpp"
+GATE = "engine/host/palpate/device/detail/remote_gate.cpp"
+DEVICE = "engine/host/palpate/device/detail/remote_device.cpp"
+BOOK = "engine/cli/serve/visit_book.cpp"
+VISIT = "engine/cli/serve/http_visit.cpp"
 
 
 # --- remote
@@ -248,7 +248,7 @@ def page_and_holder(port):
 
 
 ROOM = lab.Mend(BOOK, "if (all <= limits_.strangers) return 0;", "return 0;")
-REFUSED = lab.Mend("cli/serve/network.cpp", "    beginVisit(std::move(socket), hall);\n",
+REFUSED = lab.Mend("engine/cli/serve/network.cpp", "    beginVisit(std::move(socket), hall);\n",
                    "    if (hall.book.size() < 256) beginVisit(std::move(socket), hall);\n")
 
 
@@ -312,8 +312,8 @@ def bearer(room):
 
 
 @lab.attack("serve-plain-on-a-network", "network",
-            [lab.Mend("cli/serve/served_run.cpp", "if (!isLoopback(options.host) && options.tls_cert.empty()) say(", "if (options.port < 0) say("),
-             lab.Mend("cli/serve/network.cpp", 'if (!v6 && host != "0.0.0.0") return', "if (true) return")], seconds=30)
+            [lab.Mend("engine/cli/serve/served_run.cpp", "if (!isLoopback(options.host) && options.tls_cert.empty()) say(", "if (options.port < 0) say("),
+             lab.Mend("engine/cli/serve/network.cpp", 'if (!v6 && host != "0.0.0.0") return', "if (true) return")], seconds=30)
 def plain(room):
     """Plain HTTP on every interface: without a word, under an address that no browser opens."""
     serving = start_serve(room, "--host", "0.0.0.0")

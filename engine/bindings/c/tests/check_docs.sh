@@ -5,7 +5,7 @@ set -euo pipefail
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 awk '/^```c$/ { inside = 1; next } /^```$/ { if (inside) exit } inside' "$1/docs/reference/c-api.md" >"$work/press.c"
-cc -std=c99 -Wall -Wpedantic -Werror -I"$1/bindings/c" "$work/press.c" -L"$2" -lpalpate -Wl,-rpath,"$2" -o "$work/press"
+cc -std=c99 -Wall -Wpedantic -Werror -I"$1/engine/bindings/c" "$work/press.c" -L"$2" -lpalpate -Wl,-rpath,"$2" -o "$work/press"
 said=$("$work/press")
 echo "$said"
 grep -q '^8.00 mm deep, [1-9]' <<<"$said"

@@ -12,7 +12,7 @@ import pytest
 
 import palpate
 
-SOURCE = pathlib.Path(__file__).resolve().parents[3]
+SOURCE = pathlib.Path(__file__).resolve().parents[4]
 STAGE = pathlib.Path(palpate.__file__).resolve().parents[1]
 EXAMPLES = [file.stem for file in sorted((SOURCE / "examples" / "python").glob("*.py"))]
 

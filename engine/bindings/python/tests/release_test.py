@@ -13,15 +13,15 @@ from conftest import SOURCE, STAGE, run
 
 
 def mypy(*files: str, cwd: pathlib.Path) -> subprocess.CompletedProcess:
-    environment = dict(os.environ, MYPYPATH=str(SOURCE / "bindings/python"))
-    return run("-m", "mypy", "--strict", "--config-file", str(SOURCE / "bindings/python/tests/mypy.ini"), "--no-error-summary", "--cache-dir", str(STAGE / ".mypy_cache"), *files, cwd=cwd,
+    environment = dict(os.environ, MYPYPATH=str(SOURCE / "engine/bindings/python"))
+    return run("-m", "mypy", "--strict", "--config-file", str(SOURCE / "engine/bindings/python/tests/mypy.ini"), "--no-error-summary", "--cache-dir", str(STAGE / ".mypy_cache"), *files, cwd=cwd,
                env=environment)
 
 
 def test_the_package_is_typed():
-    result = mypy("-p", "palpate", cwd=SOURCE / "bindings/python")
+    result = mypy("-p", "palpate", cwd=SOURCE / "engine/bindings/python")
     assert result.returncode == 0, result.stdout
-    assert (SOURCE / "bindings/python/palpate/py.typed").exists()
+    assert (SOURCE / "engine/bindings/python/palpate/py.typed").exists()
 
 
 RIGHT = """
@@ -66,9 +66,9 @@ def test_mypy_accepts_what_is_right_and_finds_what_is_wrong(tmp_path):
 
 
 def test_stubtest():
-    allowlist = SOURCE / "bindings/python/tests/stubtest_allowlist.txt"
+    allowlist = SOURCE / "engine/bindings/python/tests/stubtest_allowlist.txt"
     environment = dict(os.environ, MYPYPATH=str(STAGE))
-    result = run("-m", "mypy.stubtest", "palpate._core", "--allowlist", str(allowlist), "--mypy-config-file", str(SOURCE / "bindings/python/tests/mypy.ini"), env=environment,
+    result = run("-m", "mypy.stubtest", "palpate._core", "--allowlist", str(allowlist), "--mypy-config-file", str(SOURCE / "engine/bindings/python/tests/mypy.ini"), env=environment,
                  cwd=STAGE)
     assert result.returncode == 0, result.stdout[-4000:]
 
@@ -85,7 +85,7 @@ def test_a_wheel_holds_everything(tmp_path):
     """Made of what the build has staged; building one from nothing is in docs/reference/python.md."""
     environment = dict(os.environ, PALPATE_STAGED=str(STAGE))
     result = run("setup.py", "-q", "build", "-b", str(tmp_path / "build"), "egg_info", "-e", str(tmp_path), "bdist_wheel", "-d",
-                 str(tmp_path), cwd=SOURCE / "bindings/python", env=environment)
+                 str(tmp_path), cwd=SOURCE / "engine/bindings/python", env=environment)
     if "invalid command 'bdist_wheel'" in result.stderr:
         pytest.skip("wheel is not installed")
     assert result.returncode == 0, result.stderr

@@ -1,6 +1,6 @@
 """The page in a cell: served to who asks by the right name, heard from who has the token, and asked for things.
 
-A client of HTTP stands for the page here; web/tests/notebook.mjs tests the page's side.
+A client of HTTP stands for the page here; engine/web/tests/notebook.mjs tests the page's side.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 
 class Page:
-    """What web/page/notebook.js does, by hand."""
+    """What engine/web/page/notebook.js does, by hand."""
 
     def __init__(self, widget) -> None:
         address = urllib.parse.urlsplit(widget.url)
@@ -257,7 +257,7 @@ def test_in_the_frame_of_a_real_browser(tmp_path):
     site.mkdir()
     around.mkdir()
     for name in ("index.html", "notebook.js", "fingers.js", "places.js"):
-        shutil.copy(SOURCE / "web/page" / name, site)
+        shutil.copy(SOURCE / "engine/web/page" / name, site)
     (site / "main.js").write_text(STAND_IN)
     notebook = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(around)))
     threading.Thread(target=notebook.serve_forever, args=(0.05,), daemon=True).start()

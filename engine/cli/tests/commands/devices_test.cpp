@@ -1,4 +1,5 @@
-// `palpate devices` and --device from the outside, on doubles of the makers' libraries (host/tests/device/doubles).
+// `palpate devices` and --device from the outside, on doubles of the makers' libraries
+// (engine/host/tests/device/doubles).
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -11,7 +11,7 @@ using Kind = viewer::ActivityState::Kind;
 constexpr std::string_view kLog =
     "Installing: libpq-dev\n"
     "build-later: teach\n"
-    "[1/60] Building CXX object teach/CMakeFiles/palpate_teach.dir/Unity/unity_0_cxx.cxx.o\n"
+    "[1/60] Building CXX object instruments/teach/CMakeFiles/palpate_teach.dir/Unity/unity_0_cxx.cxx.o\n"
     "[37/60] Linking CXX executable palpate-teach\n";
 
 TEST(OtherPrograms, TellsTheStepsOfTheFamilyThatIsBeingBuilt) {

@@ -281,7 +281,7 @@ TEST_F(Render, DrawsTheTrunkInTheBuildAndPostureAskedFor) {
   named(
       "body_mass_index = 18\nmuscle = 0.6\ngirth = 0.92\nspine_relief = 1.6\nrib_relief = 1.6\nposture = \"sitting\"\n",
       "trunk.toml");
-  EXPECT_EQ(trunk("", "b.png"), thin_sitting) << "as scenes/thin.toml has it";
+  EXPECT_EQ(trunk("", "b.png"), thin_sitting) << "as examples/scenes/thin.toml has it";
   EXPECT_EQ(trunk("--build average --posture standing", "c.png"), standing);
   EXPECT_EQ(runForError("--build thin"), "palpate: --build and --posture need the trunk; this body is of kind mesh\n");
   EXPECT_EQ(runForError("--build thinn"),

@@ -153,7 +153,7 @@ TEST_F(Simulate, TouchesThroughTheDetectingBoxAsThroughTheWholeSkin) {
 }
 
 TEST_F(Simulate, RunsTheDissertationsContactAndRefusesItASphere) {
-  const std::string scene = support::sourceFolder().string() + "/scenes/dissertation_contact.toml";
+  const std::string scene = support::sourceFolder().string() + "/examples/scenes/dissertation_contact.toml";
   ASSERT_EQ(simulate(scene).exit_code, 0);
   EXPECT_GT(report()["fingers"][0]["touching_share"], 0.7);
   EXPECT_EQ(runForError(scene + " --radius-mm 8"),

@@ -1,6 +1,6 @@
 // The servo thread while a real window fills the screen and leaves it again: the phase of the servo proof
-// (view/tests/viewer/servo_proof_test.cpp) that needs a desktop. PALPATE_HEAVY=1 runs it for five seconds beside an
-// idle run and prints both; the short check is in window_test.cpp.
+// (engine/view/tests/viewer/servo_proof_test.cpp) that needs a desktop. PALPATE_HEAVY=1 runs it for five seconds beside
+// an idle run and prints both; the short check is in window_test.cpp.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -41,7 +41,7 @@ std::string doubleFile() { return doubles::libraryOf("plugin"); }
 /// What an author outside of this tree does: the header alone, and one line for the compiler.
 std::string compile(const support::TemporaryFolder& folder, const std::string& source, const std::string& name) {
   std::filesystem::create_directories(folder / "include/palpate/device");
-  std::filesystem::copy_file(support::sourceFolder() / "core/palpate/device/palpate_device.h",
+  std::filesystem::copy_file(support::sourceFolder() / "engine/core/palpate/device/palpate_device.h",
                              folder / "include/palpate/device/palpate_device.h",
                              std::filesystem::copy_options::overwrite_existing);
   const std::string file = (folder / name).string();

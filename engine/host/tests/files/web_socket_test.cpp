@@ -1,5 +1,5 @@
 // SHA-1 against the standard's examples, and a server's half of a WebSocket's frames; a client's half meets hostile
-// peers in host/tests/device/haply_peer_test.cpp.
+// peers in engine/host/tests/device/haply_peer_test.cpp.
 #include "palpate/base/web_socket.h"
 
 #include <gtest/gtest.h>

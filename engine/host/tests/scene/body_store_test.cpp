@@ -349,16 +349,17 @@ TEST_F(BodyStoreFiles, MayBeWrittenByManyProcessesAtOnce) {
 
 /// Whoever changes how a body is made must not get what the code before has made.
 TEST_F(BodyStoreFiles, BearTheNameOfTheSourcesThatMadeThem) {
-  const fs::path source = support::sourceFolder();
+  const fs::path source = support::sourceFolder() / "engine";
   const auto makers_of = [&](const fs::path& root) {
     const fs::path output = folder_ / "makers.cpp";
-    const auto run = support::runProgram("cmake", "'-DROOT=" + root.string() + "' '-DOUTPUT=" + output.string() +
-                                                      "' -P '" + (source / "cmake/body_makers.cmake").string() + "'");
+    const auto run =
+        support::runProgram("cmake", "'-DROOT=" + root.string() + "' '-DOUTPUT=" + output.string() + "' -P '" +
+                                         (support::sourceFolder() / "cmake/body_makers.cmake").string() + "'");
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return support::contentOf(output);
   };
   const std::string built = makers_of(source);
-  EXPECT_EQ(support::contentOf(support::buildFolder() / "host/body_makers.cpp"), built) << "of this build";
+  EXPECT_EQ(support::contentOf(support::buildFolder() / "engine/host/body_makers.cpp"), built) << "of this build";
   const fs::path copy = folder_ / "copy";
   fs::create_directories(copy / "core/palpate");
   for (const char* room : {"base", "mesh", "body", "scene", "tissue"}) {

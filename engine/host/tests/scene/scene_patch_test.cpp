@@ -52,7 +52,7 @@ std::string changed(const std::string& text, const Change& change) {
 TEST(ScenePatch, LeavesAFileThatSaysTheSameAsItIs) {
   EXPECT_EQ(changed(kText, [](Scene&) {}), kText);
   for (const char* name : {"default.toml", "dissertation_contact.toml"}) {
-    const fs::path file = support::sourceFolder() / "scenes" / name;
+    const fs::path file = support::sourceFolder() / "examples/scenes" / name;
     const std::string text = readFile(file, kMaxSceneBytes);
     EXPECT_EQ(patchedScene(text, load(file), file), text) << name;
   }

@@ -22,7 +22,7 @@ std::string again(const std::string& text, const fs::path& name = "scene.toml") 
 }
 
 TEST(SceneWriter, WhatWasWrittenReadsBackTheSame) {
-  Scene scene = load(support::sourceFolder() / "scenes/default.toml");
+  Scene scene = load(support::sourceFolder() / "examples/scenes/default.toml");
   const std::string text = sceneAsToml(scene);
   EXPECT_EQ(again(text), text);
   const Scene read = parse(text, "again.toml");
@@ -34,7 +34,7 @@ TEST(SceneWriter, WhatWasWrittenReadsBackTheSame) {
 }
 
 TEST(SceneWriter, KeepsEveryDigitAndEveryLetter) {
-  Scene scene = load(support::sourceFolder() / "scenes/default.toml");
+  Scene scene = load(support::sourceFolder() / "examples/scenes/default.toml");
   scene.title = "a \"quoted\" back\\slash, \xc3\xa4";
   scene.contact.finger.mu_static = 0.1 + 0.2;
   scene.contact.finger.mu_dynamic = 0.1;
@@ -53,7 +53,7 @@ TEST(SceneWriter, WritesOnlyWhatDiffersFromTheDefaults) {
 
 TEST(SceneWriter, KeepsWhichErrataAreLiteral) {
   for (const char* words : {"corrected", "literal", "E14", "E14,E29"}) {
-    Scene scene = load(support::sourceFolder() / "scenes/default.toml");
+    Scene scene = load(support::sourceFolder() / "examples/scenes/default.toml");
     scene.fidelity = parseFidelity(words);
     EXPECT_EQ(wordsOf(parse(sceneAsToml(scene), "s.toml").fidelity), words);
   }
@@ -61,7 +61,7 @@ TEST(SceneWriter, KeepsWhichErrataAreLiteral) {
 
 TEST(SceneWriter, NamesFilesRelativeToItsFolderWhereTheyLieInIt) {
   const support::TemporaryFolder folder;
-  Scene scene = load(support::sourceFolder() / "scenes/default.toml");
+  Scene scene = load(support::sourceFolder() / "examples/scenes/default.toml");
   scene.body.kind = BodyKind::mesh;
   scene.body.file = folder / "meshes" / "back.obj";
   scene.ellipses.key_points = "/elsewhere/keys.csv";

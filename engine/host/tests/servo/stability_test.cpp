@@ -1,6 +1,7 @@
 // The loop that a hand would feel: the product's own tick and limiter, closed over simulated devices and hands
-// (lab/loops). What is written as a bar here is what docs/explanation/safety.md promises; what a bare loop does stands
-// beside it, so that a test that could not fail would be seen. PALPATE_HEAVY=1 runs all 400 random systems of a cell.
+// (instruments/study/lab/loops). What is written as a bar here is what docs/explanation/safety.md promises; what a bare
+// loop does stands beside it, so that a test that could not fail would be seen. PALPATE_HEAVY=1 runs all 400 random
+// systems of a cell.
 //
 //   T1  growth of an ideal device at b/(T/2 + t_d) +-5 %          AnIdealDeviceFollowsTheory
 //   T2  rest after a kick: <= 1 um, within 100 ms                 EveryDeviceComesToRestAfterAKick

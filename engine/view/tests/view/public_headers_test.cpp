@@ -31,7 +31,7 @@ void collectIncludes(const fs::path& file, std::set<std::string>& names) {
     const std::string name = line.substr(word.size() + 1, line.find_first_of(">\"", word.size() + 1) - word.size() - 1);
     if (!names.insert(name).second || !name.starts_with("palpate/")) continue;
     for (const char* house : {"core", "host", "view"}) {
-      const fs::path header = support::sourceFolder() / house / name;
+      const fs::path header = support::sourceFolder() / "engine" / house / name;
       if (fs::exists(header)) collectIncludes(header, names);
     }
   }
@@ -40,7 +40,7 @@ void collectIncludes(const fs::path& file, std::set<std::string>& names) {
 class PublicHeaders : public testing::TestWithParam<std::string> {};
 
 TEST_P(PublicHeaders, BringNoOpenGlAndNothingInternal) {
-  const fs::path folder = support::sourceFolder() / "view/palpate" / GetParam();
+  const fs::path folder = support::sourceFolder() / "engine/view/palpate" / GetParam();
   std::size_t headers = 0;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".h") continue;

@@ -1,5 +1,6 @@
 // Devices in the window, as a user meets them: found, opened, felt, lost and back, stopped, placed, calibrated, let go.
-// What is opened is the double of a maker's library (host/tests/device/doubles), through the same code as a real one.
+// What is opened is the double of a maker's library (engine/host/tests/device/doubles), through the same code as a real
+// one.
 #include "stage.h"
 
 #include <cstdlib>

@@ -41,7 +41,8 @@ TEST(Manual, HoldsEveryDocument) {
     ASSERT_NE(page, nullptr) << name;
     EXPECT_FALSE(page->blocks.empty()) << name;
     EXPECT_NE(page->title, page->file) << "its first heading";
-    EXPECT_TRUE(isKnownTitle(page->title)) << page->title << ": view/viewer/manual/titles.cpp, for the catalogues";
+    EXPECT_TRUE(isKnownTitle(page->title))
+        << page->title << ": engine/view/viewer/manual/titles.cpp, for the catalogues";
   }
   EXPECT_EQ(count, manualPages().size());
   EXPECT_GT(count, 50u);

@@ -14,7 +14,7 @@
 namespace palpate::measure {
 namespace {
 
-const std::string kAppendixC = support::sourceFolder().string() + "/scenes/measured/appendix_c.csv";
+const std::string kAppendixC = support::sourceFolder().string() + "/examples/scenes/measured/appendix_c.csv";
 
 PressRow press(const std::string& point, double half_major_mm, double ratio, double direction_deg,
                std::optional<double> drag_deg = {}, const std::string& subject = "") {

@@ -47,7 +47,7 @@ std::string smallerPicture(const std::string& arguments) {
 
 TEST(MeasureAPerson, EveryCommandOfThePageDoesWhatThePageSays) {
   const support::TemporaryFolder folder;
-  fs::copy_file(support::sourceFolder() / "scenes/measured/appendix_c.csv", folder / "appendix_c.csv");
+  fs::copy_file(support::sourceFolder() / "examples/scenes/measured/appendix_c.csv", folder / "appendix_c.csv");
   std::ofstream forces(folder / "forces.csv");
   forces << "place,x_mm,y_mm,press,depth_mm,force_n\n";
   for (int i = 1; i <= 12; ++i) forces << fmt::format("P1,0,73,1,{},{:.4f}\n", i, 0.4 * i * std::pow(i / 8.0, 0.6));

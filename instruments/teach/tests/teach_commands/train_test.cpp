@@ -1,4 +1,4 @@
-// `palpate train` at the command line; its window is tested in teach/tests/teach_window/training_test.cpp.
+// `palpate train` at the command line; its window is tested in instruments/teach/tests/teach_window/training_test.cpp.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -94,8 +94,8 @@ void expectAllTextsToRead(const FindingsFile& file) {
 
 TEST(FindingsTexts, ReadToTheEndWithEveryChoice) {
   std::size_t files = 0;
-  for (const char* house : {"dissertation", "measure", "teach"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(support::sourceFolder() / house)) {
+  for (const char* house : {"study/dissertation", "measure", "teach"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(support::sourceFolder() / "instruments" / house)) {
       const std::string name = entry.path().filename().string();
       if (!name.ends_with("_findings.txt")) continue;
       const std::string text = readFile(entry.path(), 1U << 20U);
