@@ -1,8 +1,8 @@
 // Run by tools/build-web, in node: what the page needs not make itself. The trunk that it begins with, read by its engine
-// (core/palpate/scene/ready_body.h) in a fraction of the seconds that making it takes; and the hand that is drawn where it
-// touches (web/page/hand_shape.js).
+// (engine/core/palpate/scene/ready_body.h) in a fraction of the seconds that making it takes; and the hand that is drawn where it
+// touches (engine/web/page/hand_shape.js).
 //
-//   node web/make_ahead.mjs BUILD SITE        BUILD has ahead.mjs, SITE the page's own files
+//   node engine/web/make_ahead.mjs BUILD SITE        BUILD has ahead.mjs, SITE the page's own files
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';

@@ -112,8 +112,8 @@ void addInputOptions(Command& command, SimulateOptions& options) {
 void addShapeOptions(Command& command, SimulateOptions& options) {
   restrictTo({kAverageBuild, "thin", "heavy"},
              command.add_option("--build", options.build,
-                                "Build of the trunk: as scenes/thin.toml and scenes/heavy.toml have it (default: as "
-                                "the scene says)"));
+                                "Build of the trunk: as examples/scenes/thin.toml and heavy.toml beside it have it "
+                                "(default: as the scene says)"));
   restrictTo(wordList<body::Posture>(),
              command.add_option("--posture", options.posture,
                                 "How the trunk stands, lies or sits (default: as the scene says)"));

@@ -83,7 +83,7 @@ SiteFile siteFile(std::string content, std::string_view type) {
   return file;
 }
 
-/// Marks the page as served: the body is felt here (web/page/source.js).
+/// Marks the page as served: the body is felt here (engine/web/page/source.js).
 void markServed(std::string& html) {
   constexpr std::string_view kHead = "<head>";
   if (const std::size_t head = html.find(kHead); head != std::string::npos) {

@@ -1,7 +1,7 @@
 // The measured loop, for node: a mesh file and a path in, the hash of all that was felt and the time of a tick out.
 //
-// The same steps in the same order as `palpate study bench contact` (lab/runs/contact_run.h), so that both can be
-// compared.
+// The same steps in the same order as `palpate study bench contact` (instruments/study/lab/runs/contact_run.h), so that
+// both can be compared.
 #include <algorithm>
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 // The functions that the page's worker calls: a body is opened, touched, shown and exported. Plain C names over
 // LiveBody.
 //
-// The functions are those of web/page/engine.js, which has their documentation.
+// The functions are those of engine/web/page/engine.js, which has their documentation.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -49,7 +49,8 @@ class Recording {
   std::deque<Row> rows_;
 };
 
-/// The lumps of the preset `lumps` (scenes/lumps.toml): the page's engine reads no scene files. A test compares.
+/// The lumps of the preset `lumps` (examples/scenes/lumps.toml): the page's engine reads no scene files. A test
+/// compares.
 std::vector<scene::LumpSettings> presetLumps();
 
 inline constexpr std::size_t kFingers = 2;

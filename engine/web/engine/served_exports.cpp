@@ -1,5 +1,5 @@
 // The functions for a page that shows a body felt elsewhere: ServedSkin in plain C names. They are those of
-// web/page/served_skin.js.
+// engine/web/page/served_skin.js.
 #include <array>
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,5 @@
-// The duration of a tick, in WebAssembly (bench_exports.cpp) and in native code (web/tests/reference.cpp): timed by the
-// same lines, or the two could not be compared.
+// The duration of a tick, in WebAssembly (bench_exports.cpp) and in native code (engine/web/tests/reference.cpp): timed
+// by the same lines, or the two could not be compared.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The engine's WebAssembly as an object: text, bytes and arrays in and out. Used by the worker, and by the tests in node.
 //
-// The functions themselves are those of web/engine/*_exports.cpp. Views of the engine's memory are taken afresh for every
+// The functions themselves are those of engine/web/engine/*_exports.cpp. Views of the engine's memory are taken afresh for every
 // use: memory that grows leaves old views empty.
 
 const encoder = new TextEncoder();

@@ -3,7 +3,7 @@
 // Frame: origin in the middle of the ball that touches, +y from the tip to the knuckle, +z out of the nail.
 import * as THREE from './three.module.min.js';
 
-export const RADIUS_MM = 8; // of the ball that touches: web/engine/live_body.h
+export const RADIUS_MM = 8; // of the ball that touches: engine/web/engine/live_body.h
 export const SKIN_COLOUR = new THREE.Color().setHex(0xd9a283, THREE.LinearSRGBColorSpace); // as it is shown
 // Radius, mm, at so far from the middle of the tip: joints are a little thicker than what is between them.
 const PROFILE = [[4, 8], [12, 7.9], [20, 8.3], [25, 8.5], [31, 8], [40, 8.2], [48, 9.3], [54, 9.4], [60, 8.8], [68, 8.9]];

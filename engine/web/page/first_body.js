@@ -1,4 +1,4 @@
-// The body that the page begins with: a trunk that the build made (web/make_ahead.mjs), packed by gzip.
+// The body that the page begins with: a trunk that the build made (engine/web/make_ahead.mjs), packed by gzip.
 import { FLOATS_OF_VERTEX } from './engine.js';
 
 export const FIRST_TRIANGLES = 40000; // of skin and bones

@@ -1,6 +1,6 @@
 // Places in words, and words for places: "T6", "left PSIS", "left site 4", "T6 right 30 mm".
 //
-// The names are those that a body brings (Body.landmarks); the rules are those of core/palpate/body/places.cpp, so that a
+// The names are those that a body brings (Body.landmarks); the rules are those of engine/core/palpate/body/places.cpp, so that a
 // served body, of which the page has the landmarks only, is searched in the same way.
 
 const DIRECTIONS = { right: [1, 0], left: [-1, 0], up: [0, 1], down: [0, -1], cranial: [0, 1], caudal: [0, -1] };

@@ -1,4 +1,4 @@
-// The skin that a server sends, deformed here: web/engine/served_exports.cpp as an object.
+// The skin that a server sends, deformed here: engine/web/engine/served_exports.cpp as an object.
 import { Engine } from './engine.js';
 
 const COLOURS = { stiffness: 0, strain: 2 };

@@ -34,7 +34,7 @@ vec4 lit_skin(vec3 n, vec3 v, float value, float light_left) {
 }`;
 
 // What the walls of a dent leave of the light; less where it is small in the picture, as in the viewer
-// (view/palpate/view/layers/skin_shader.h).
+// (engine/view/palpate/view/layers/skin_shader.h).
 const DENT = `
 in vec3 rest;
 uniform float picture_height;

@@ -3,7 +3,7 @@
 // A study computes a StudyPage and writes nothing; the page is then written as Markdown, CSV, PNG and SVG (writePage)
 // or becomes a chapter of a report. Numbers in findings come from the run and decide the verdict: findings are
 // functions of the measurement in files of their own, and a test breaks their numbers
-// (dissertation/tests/study/*_verdicts_test.cpp).
+// (instruments/study/dissertation/tests/study/*_verdicts_test.cpp).
 #pragma once
 
 #include <algorithm>
@@ -118,7 +118,8 @@ struct Extent {
 
 // A study that writes a page: its name, its help and how it is run.
 //
-// dissertation/studies.cpp lists them; `palpate study NAME`, `study all` and the report find them there.
+// instruments/study/dissertation/studies.cpp lists them; `palpate study NAME`, `study all` and the report find them
+// there.
 
 struct Study {
   std::string name;  ///< name of the subcommand

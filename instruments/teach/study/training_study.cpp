@@ -288,8 +288,9 @@ std::vector<std::string> methodTexts(const TrainingMeasurement& found) {
   return {
       "A trainee is a psychometric function: right with probability guess + (1 - guess - lapse) F, "
       "F = 1 - exp(-ln 2 (d / T)^slope), among twelve places, lapse rate 2 %, slope 1.8. Levels, posterior, stop rules "
-      "and verdicts are the product's (teach/palpate/training); QUEST, psi over all parameters, 3-down-1-up and the "
-      "weighted staircase stand beside it in teach/study/asked_test.cpp, with the product's posterior.",
+      "and verdicts are the product's (instruments/teach/palpate/training); QUEST, psi over all parameters, "
+      "3-down-1-up and the weighted staircase stand beside it in instruments/teach/study/asked_test.cpp, with the "
+      "product's posterior.",
       fmt::format("{} runs of each cell of marginal psi, {} of the other methods{}; seed {}, another for each run. "
                   "Bias is the mean of reported medians less the truth; coverage the share of 95 % intervals that hold "
                   "it.",

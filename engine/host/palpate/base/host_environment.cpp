@@ -2,7 +2,7 @@
 // whose future carries what it threw. Without a pool, each piece must be worth a thread of its own.
 //
 // It installs itself while the program starts. Nothing refers to it, so programs that link the library ask the linker
-// for `palpate_host_environment` (host/CMakeLists.txt): without that an archive would leave it out.
+// for `palpate_host_environment` (engine/host/CMakeLists.txt): without that an archive would leave it out.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 // The words of windows, training and reports in the reader's language. The code has them in English; catalogues of
 // gettext have the others.
 //
-//   tr("Save picture") in the code ─ tools/translations ─► po/de.po ─ msgfmt ─► share/locale/de/…/palpate.mo ─► here
+//   tr("Save picture") in the code ─ tools/check-translations ─► packaging/po/de.po
+//   packaging/po/de.po ─ msgfmt ─► share/locale/de/…/palpate.mo ─► here
 //
 // Scene files, recordings, tables, JSON, options and errors stay English: machines and scripts read them.
 #pragma once

@@ -1,5 +1,5 @@
 // Scenes that are compiled in and known by a word: the standard one, those of `--preset`, and the examples of the
-// window's start page. Each is a file of scenes/.
+// window's start page. Each is a file of examples/scenes/.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ struct Preset {
   std::string_view name;    ///< "heavy"
   std::string_view title;   ///< "A heavy person"
   std::string_view what;    ///< a sentence: what to feel or see
-  std::string_view file;    ///< name in scenes/, without .toml
+  std::string_view file;    ///< name in examples/scenes/, without .toml
   bool as_printed = false;  ///< with the dissertation's formulae as printed
 };
 
@@ -28,10 +28,11 @@ Scene presetScene(std::string_view name);
 /// Throws Error for an unknown name.
 const Preset& presetNamed(std::string_view name);
 
-/// Text of scenes/<file>.toml, compiled in (host/CMakeLists.txt); empty if unknown.
+/// Text of examples/scenes/<file>.toml, compiled in (engine/host/CMakeLists.txt); empty if unknown.
 std::string_view presetText(std::string_view file);
 
-/// scenes/default.toml: ten seconds of two fingers on the built-in trunk, where no scene is named. Without a file.
+/// examples/scenes/default.toml: ten seconds of two fingers on the built-in trunk, where no scene is named. Without a
+/// file.
 Scene standardScene();
 
 }  // namespace palpate::scene

@@ -134,8 +134,8 @@ std::vector<std::string> describeMethod(const AssignmentPlan& plan) {
                       "mesh) and no leaf found holds it.",
                       counted(static_cast<double>(plan.triangles)), plan.places, plan.runs),
           "The frame finds the leaves by tight boxes and tests every entry of them as a whole triangle "
-          "(`lab/measured/literal_process.h`), without drawing. Overlap is the mean number of leaf boxes round the "
-          "middle of an entry."};
+          "(`instruments/study/lab/measured/literal_process.h`), without drawing. Overlap is the mean number of leaf "
+          "boxes round the middle of an entry."};
 }
 
 std::vector<std::pair<std::string, double>> numbersOf(const AssignmentMeasurement& found) {

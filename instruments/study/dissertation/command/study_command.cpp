@@ -1,7 +1,7 @@
 // `palpate study`: the dissertation's numbers and figures, computed and drawn by the engine.
 //
-// Each study is a subcommand with a file of its own in dissertation/; those that write a page are listed in
-// dissertation/studies.cpp.
+// Each study is a subcommand with a file of its own in instruments/study/dissertation/; those that write a page are
+// listed in instruments/study/dissertation/studies.cpp.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -29,7 +29,7 @@
 
 namespace palpate::app {
 
-// `palpate study NAME --out DIR` for every study that writes a page (dissertation/studies.h).
+// `palpate study NAME --out DIR` for every study that writes a page (instruments/study/dissertation/studies.h).
 
 namespace {
 

@@ -108,15 +108,16 @@ std::vector<std::string> describeMethod(const HdbMeasurement& found) {
           "Model: the benchmark's back with {} triangles, 350 x 400 mm; box shares are of its longest edge, {} mm. "
           "Partitions: case C, threshold 1024.",
           counted(static_cast<double>(found.plan.triangles)), rounded(found.longest_edge, 3)),
-      fmt::format("Strokes: {} for each speed, the same ways at every speed. A finger comes down through 20 mm of "
-                  "air at up to 45 degree, presses {} mm deep and slides 160 mm in any direction, at one speed "
-                  "throughout, at 1 kHz. It sees only the triangles that the box found "
-                  "(`core/palpate/hdb/hdb_finger.h`); the box is put round the proxy every 10, 20 or 50 ticks. A "
-                  "stroke gets through when its tip is under the skin and nothing holds it.",
-                  found.plan.strokes, rounded(found.depth_mm)),
+      fmt::format(
+          "Strokes: {} for each speed, the same ways at every speed. A finger comes down through 20 mm of "
+          "air at up to 45 degree, presses {} mm deep and slides 160 mm in any direction, at one speed "
+          "throughout, at 1 kHz. It sees only the triangles that the box found "
+          "(`engine/core/palpate/hdb/hdb_finger.h`); the box is put round the proxy every 10, 20 or 50 ticks. A "
+          "stroke gets through when its tip is under the skin and nothing holds it.",
+          found.plan.strokes, rounded(found.depth_mm)),
       fmt::format("Times: at {} places, tip 5 mm deep, the fastest of {} runs at each. The dissertation's way tests "
                   "every triangle of the leaves against the tip's way and for its nearest point "
-                  "(`lab/measured/literal_process.h`).",
+                  "(`instruments/study/lab/measured/literal_process.h`).",
                   found.plan.places, found.plan.runs)};
 }
 

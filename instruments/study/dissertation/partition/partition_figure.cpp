@@ -1,4 +1,4 @@
-// A partition as a picture that needs no other program: drawn by report/charts, in parallel projection.
+// A partition as a picture that needs no other program: drawn by instruments/report/charts, in parallel projection.
 #include <fmt/format.h>
 
 #include <algorithm>

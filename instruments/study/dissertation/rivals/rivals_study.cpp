@@ -52,9 +52,10 @@ std::vector<std::string> describeMethod(const RivalsPlan& plan) {
   return {
       fmt::format(
           "The truth: finite elements of finite strain under a frictionless ball of 8 mm, made outside this project "
-          "(`dissertation/rivals/layered_truth.json` says how and how it was checked). The body of the rivals: a block "
-          "of {:g} mm with the same layers on a fixed base, cells of {:.1f} mm unless said otherwise; the error is the "
-          "root mean square over the vertices within 40 mm, as a share of the depth of the ball.",
+          "(`instruments/study/dissertation/rivals/layered_truth.json` says how and how it was checked). The body of "
+          "the rivals: a block of {:g} mm with the same layers on a fixed base, cells of {:.1f} mm unless said "
+          "otherwise; the error is the root mean square over the vertices within 40 mm, as a share of the depth of the "
+          "ball.",
           plan.side_mm, plan.side_mm / plan.common_cells),
       "Free form drags the middle of the skin, as FSMD does; springs and elements are kept out of the ball. Springs "
       "are relaxed from rest until no node feels more than a thousandth of the ball's force, explicitly; between two "

@@ -121,7 +121,7 @@ void compareRegions(SearchRow& row, Searched& on, const deform::RegionByRings& r
   }
 }
 
-// Barycentric places of lab/measured have no triangle: the nearest one is used.
+// Barycentric places of instruments/study/lab/measured have no triangle: the nearest one is used.
 std::vector<SkinPlace> placesWithTriangles(const Model& model, const tree::TriangleTree& tree, int count) {
   std::vector<SkinPlace> places = skinPlaces(model.mesh, count);
   for (SkinPlace& place : places) {

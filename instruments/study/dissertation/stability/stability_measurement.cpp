@@ -1,5 +1,5 @@
-// Every number comes from the product's own tick and limiter (lab/loops). One thread; the same numbers on every
-// machine.
+// Every number comes from the product's own tick and limiter (instruments/study/lab/loops). One thread; the same
+// numbers on every machine.
 #include "dissertation/stability/stability_measurement.h"
 
 #include <algorithm>

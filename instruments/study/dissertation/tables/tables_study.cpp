@@ -182,15 +182,15 @@ std::vector<std::string> describeMethod(const RatesMeasurement& found) {
           : fmt::format(
                 "Drawing is what OpenHaptics had its programs do: every triangle of the leaves goes vertex by vertex, "
                 "each with its normal, through glBegin and glEnd into the feedback buffer of OpenGL 2.1 "
-                "(`view/palpate/view/layers/immediate_drawing.h`), here offscreen by {}. \"Graphic\" is the whole "
-                "model, lit, into a picture of {} x {} pixels in the same way.",
+                "(`engine/view/palpate/view/layers/immediate_drawing.h`), here offscreen by {}. \"Graphic\" is the "
+                "whole model, lit, into a picture of {} x {} pixels in the same way.",
                 found.renderer, plan.width_px, plan.height_px);
   return {
       drawing,
       "Untouched adds finding the leaves and testing every triangle rendered against the tip's way; touched adds the "
-      "nearest point of every triangle, spring and friction (`lab/measured/literal_process.h`). What the haptic "
-      "library of 2008 did inside is not known; this is the least that it had to do, so times in the dissertation's "
-      "way are lower bounds.",
+      "nearest point of every triangle, spring and friction (`instruments/study/lab/measured/literal_process.h`). What "
+      "the haptic library of 2008 did inside is not known; this is the least that it had to do, so times in the "
+      "dissertation's way are lower bounds.",
       fmt::format(
           "Models: the benchmark's back in the sizes of Appendix A, because none of the author's was published. Table "
           "3.2 and Appendix B: {} triangles, case C, threshold 1024; for each printed number of triangles the place "

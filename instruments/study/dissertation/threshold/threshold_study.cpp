@@ -141,8 +141,9 @@ std::vector<std::string> describeMethod(const ThresholdPlan& plan) {
           "shown. Points of the largest model wait for memory and vary with what else the machine does.",
           plan.places, plan.runs),
       "The dissertation's way: find the leaves by their tight boxes, test every triangle of them against the tip's way "
-      "and for its nearest point (`lab/measured/literal_process.h`), without drawing. Ours: the triangles whose own "
-      "boxes meet the detecting box, written out one by one; and the default finger on strokes at 0.2 m/s."};
+      "and for its nearest point (`instruments/study/lab/measured/literal_process.h`), without drawing. Ours: the "
+      "triangles whose own boxes meet the detecting box, written out one by one; and the default finger on strokes at "
+      "0.2 m/s."};
 }
 
 std::vector<std::pair<std::string, double>> numbersOf(const ThresholdMeasurement& found) {

@@ -1,5 +1,5 @@
 // `palpate lump loops`: whether lumps give energy away. Adds itself to the command of
-// `solve/commands/lump_command.cpp`.
+// `instruments/study/solve/commands/lump_command.cpp`.
 #include <fmt/format.h>
 
 #include <memory>

@@ -1,6 +1,6 @@
 // Jobs are numbered; a free thread takes the next, and results are added up in the order of the numbers. A body is
 // built for each of its portions: it is a tenth of a second against a second of ticks.
-// Data flow: HuntPlan -> here -> lab/commands, tests.
+// Data flow: HuntPlan -> here -> instruments/study/lab/commands, tests.
 #include "lab/hunt/hunt.h"
 
 #include <fmt/format.h>

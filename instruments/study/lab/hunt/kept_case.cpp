@@ -1,5 +1,6 @@
 // Numbers are written with all their digits: a fault on a sliver is gone when a tip is rounded to a nanometre.
-// Data flow: hunt.h, minimise.cpp -> here -> a folder -> lab/tests/contact_bars, `palpate study hunt --replay`.
+// Data flow: hunt.h, minimise.cpp -> here -> a folder -> instruments/study/lab/tests/contact_bars,
+// `palpate study hunt --replay`.
 #include "lab/hunt/kept_case.h"
 
 #include <fmt/format.h>

@@ -85,7 +85,7 @@ class FastWinding {
   /// The tree must outlive this.
   explicit FastWinding(const BoxTree& tree);
 
-  /// Within about 0.01 of the exact sum (lab/tests/lab/fast_winding_test.cpp).
+  /// Within about 0.01 of the exact sum (instruments/study/lab/tests/lab/fast_winding_test.cpp).
   double at(const Vec3& point) const;
 
  private:

@@ -1,5 +1,5 @@
-// The engine's inner loops one by one, on the benchmark's back: timed by the Google Benchmark suite (lab/kernels/) and
-// watched by the regression guard (kernel_times.h).
+// The engine's inner loops one by one, on the benchmark's back: timed by the Google Benchmark suite
+// (instruments/study/lab/kernels/) and watched by the regression guard (kernel_times.h).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// The Google Benchmark suite: the engine's kernels (lab/kernels/kernel_list.h), one benchmark each.
+// The Google Benchmark suite: the engine's kernels (instruments/study/lab/kernels/kernel_list.h), one benchmark each.
 //
 // Based on: Google Benchmark's user guide, https://github.com/google/benchmark/blob/main/docs/user_guide.md
 #include <benchmark/benchmark.h>

@@ -123,7 +123,7 @@ Peer embreePeer();
 Peer embreeBoundedPeer();
 Peer cgalPeer();
 Peer fclPeer();
-/// The dissertation (lab/literal/hdb_contact.h): it needs no library.
+/// The dissertation (instruments/study/lab/literal/hdb_contact.h): it needs no library.
 Peer literalPeer();
 
 /// All peers, in the order of reports. Those of libraries that were not found at build time cannot do anything. For

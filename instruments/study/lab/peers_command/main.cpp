@@ -1,5 +1,6 @@
 // `palpate_peers`: the benchmark commands of `palpate` that know --peers, linked with the libraries that are compared.
-// `palpate study bench ... --peers` runs this program; lab/commands/peers_report.h explains why it is separate.
+// `palpate study bench ... --peers` runs this program; instruments/study/lab/commands/peers_report.h explains why it is
+// separate.
 #include "cli/kit/commands.h"
 #include "cli/kit/program.h"
 #include "lab/commands/peers_report.h"

@@ -1,7 +1,8 @@
 // The benchmark meshes: height fields of exact triangle counts, computed instead of stored.
 //
 // They take part in every contact benchmark and in the tests of the contact bars. The formulae are those of the
-// benchmark's reference script, so that the same meshes come out bit by bit (lab/tests/lab checks their SHA-256).
+// benchmark's reference script, so that the same meshes come out bit by bit (instruments/study/lab/tests/lab checks
+// their SHA-256).
 #pragma once
 
 #include <cstddef>

@@ -1,9 +1,10 @@
 // The benchmark trajectories: one tip position a millisecond, computed instead of stored.
 //
 // Deterministic paths (back_slide, eggcrate_*, flat_edge, flat_fric_*) are those of the benchmark's reference script to
-// the last digit of its files (lab/tests/lab checks their SHA-256). Paths with random numbers (back_jump*, back_stab*,
-// groove*, pit) have the same distributions but come from base/random.h, so they differ in every number. The rest
-// (flat_press, lattice_*) is of this project. Coordinates are rounded to a nanometre, as the files hold them.
+// the last digit of its files (instruments/study/lab/tests/lab checks their SHA-256). Paths with random numbers
+// (back_jump*, back_stab*, groove*, pit) have the same distributions but come from base/random.h, so they differ in
+// every number. The rest (flat_press, lattice_*) is of this project. Coordinates are rounded to a nanometre, as the
+// files hold them.
 #pragma once
 
 #include <string>

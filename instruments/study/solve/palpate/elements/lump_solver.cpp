@@ -1,5 +1,5 @@
 // It installs itself while the program starts. Nothing refers to it, so programs that link the library ask the linker
-// for `palpate_lump_solver` (solve/CMakeLists.txt): without that an archive would leave it out.
+// for `palpate_lump_solver` (instruments/study/solve/CMakeLists.txt): without that an archive would leave it out.
 #include "palpate/elements/lump_solver.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // One description, two dialects. STRICT and rowids are SQLite's; PostgreSQL has types of its own for ids and truth.
 //
 // A new column: one line of row_fields.h with `since` one above kSchemaVersion, which then rises; a fresh schema and a
-// migrated one must not differ (teach/tests/training/records_schema_test.cpp).
+// migrated one must not differ (instruments/teach/tests/training/records_schema_test.cpp).
 
 #include <fmt/format.h>
 

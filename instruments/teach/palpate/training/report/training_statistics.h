@@ -1,7 +1,7 @@
 // The numbers of a report: of each trainee (results, learning curve, touch and answers, data quality), and of a class
 // (the same of all together, results by occasion).
 //
-//   TrainingRecord ─ trainingStatistics ─► TrainingStatistics ─► page, JSON (teach/report)
+//   TrainingRecord ─ trainingStatistics ─► TrainingStatistics ─► page, JSON (instruments/teach/report)
 //
 // Pure: the same rows give the same numbers. Each can be had again from the exported tables (tools/check_report.py).
 #pragma once
