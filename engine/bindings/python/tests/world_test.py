@@ -48,7 +48,7 @@ def test_the_first_wrong_face_is_named(wrong):
     faces = faces.astype(np.int64)
     faces[17, 1] = wrong
     faces[40, 0] = -7
-    with pytest.raises(palpate.Error, match=f"corner 1 of triangle 17 is vertex {wrong}, and there are 81"):
+    with pytest.raises(palpate.Error, match=f"corner 1 of triangle 17 is vertex {wrong}, but there are only 81 vertices"):
         palpate.World.from_arrays(vertices, faces)
 
 
@@ -84,7 +84,7 @@ def test_stiffness_of_one_number_and_of_each_vertex():
     each = np.linspace(0.2, 1.5, len(vertices))
     world = palpate.World.from_arrays(vertices, faces, stiffness=each)
     np.testing.assert_array_equal(world.stiffness, each[world.source_vertex])
-    with pytest.raises(palpate.Error, match="stiffnesses for"):
+    with pytest.raises(palpate.Error, match="stiffness values for"):
         palpate.World.from_arrays(vertices, faces, stiffness=each[:-1])
     for wrong in (-1.0, np.nan, np.inf):
         with pytest.raises(ValueError):

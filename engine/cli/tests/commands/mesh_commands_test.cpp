@@ -158,8 +158,7 @@ TEST_F(MeshCommands, BadInputIsOneLineAndExitCodeTwo) {
   for (const auto& [arguments, message] :
        {std::pair("body info gone.stl", "palpate: gone.stl: no such file\n"),
         std::pair("body info bad.obj", "palpate: bad.obj:1: a coordinate is not a number: 'zero'\n"),
-        std::pair("body repair flat.obj -o fit.obj",
-                  "palpate: flat.obj: the mesh has no triangle that can be felt\n")}) {
+        std::pair("body repair flat.obj -o fit.obj", "palpate: flat.obj: the mesh has no usable triangles\n")}) {
     const auto end = palpate(arguments);
     EXPECT_EQ(end.exit_code, 2) << arguments;
     EXPECT_EQ(end.err, message);

@@ -156,8 +156,9 @@ TEST_F(Simulate, RunsTheDissertationsContactAndRefusesItASphere) {
   const std::string scene = support::sourceFolder().string() + "/examples/scenes/dissertation_contact.toml";
   ASSERT_EQ(simulate(scene).exit_code, 0);
   EXPECT_GT(report()["fingers"][0]["touching_share"], 0.7);
-  EXPECT_EQ(runForError(scene + " --radius-mm 8"),
-            "palpate: contact source \"hdb\" touches with a point: finger 'index' must have radius_mm = 0, not 8\n");
+  EXPECT_EQ(
+      runForError(scene + " --radius-mm 8"),
+      "palpate: contact source \"hdb\" supports point fingers only: finger 'index' must have radius_mm = 0, not 8\n");
 }
 
 TEST_F(Simulate, AStiffeningSkinGivesWayToAPressThatIsNotDeep) {
@@ -307,9 +308,9 @@ TEST_F(Simulate, RefusesWrongInputInOneLineWithExitCodeTwo) {
   write("bad.csv", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n0.1,1,two,3\n");
   EXPECT_EQ(runForError("--mesh dome.obj --trajectory bad.csv"), "palpate: bad.csv:3: y_mm is not a number: 'two'\n");
   write("nan.csv", "0,1,2,nan\n");
-  EXPECT_EQ(runForError("--mesh dome.obj --trajectory nan.csv"), "palpate: nan.csv:1: z_mm is nan\n");
+  EXPECT_EQ(runForError("--mesh dome.obj --trajectory nan.csv"), "palpate: nan.csv:1: z_mm must be finite, got nan\n");
   write("empty.csv", "");
-  EXPECT_EQ(runForError("--mesh dome.obj --trajectory empty.csv"), "palpate: empty.csv: empty trajectory: no rows\n");
+  EXPECT_EQ(runForError("--mesh dome.obj --trajectory empty.csv"), "palpate: empty.csv: the trajectory has no rows\n");
   write("bad.toml", "[friction]\nstatik = 1\n");
   EXPECT_EQ(runForError("bad.toml"),
             "palpate: bad.toml:2: unknown key 'statik' in [friction]; did you mean 'static'?\n");

@@ -24,7 +24,8 @@ void refuseControlBytes(std::string_view row, std::string_view file, std::size_t
   for (const char c : row) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20 && c != '\t') {
-      throw Error::atLine(file, line, fmt::format("not a text table (byte 0x{:02x})", byte));
+      throw Error::atLine(file, line,
+                          fmt::format("not a text table (byte 0x{:02x}); expected comma-separated text", byte));
     }
   }
 }
@@ -49,10 +50,11 @@ std::string_view popField(std::string_view& rest, bool& is_last, std::string_vie
   if (quoted) {
     begin = first + 1;
     end = rest.find('"', begin);
-    if (end == std::string_view::npos) throw Error::atLine(file, line, "a quoted field does not end in its line");
+    if (end == std::string_view::npos)
+      throw Error::atLine(file, line, "a quoted field is not closed on its line; add the closing quote");
     comma = std::min(rest.find(',', end), rest.size());
     if (!trimmed(rest.substr(end + 1, comma - end - 1)).empty()) {
-      throw Error::atLine(file, line, "a quoted field with more quotes in or behind it cannot be read");
+      throw Error::atLine(file, line, "unexpected text after a quoted field; quotes inside a field are not supported");
     }
   } else {
     end = comma = std::min(rest.find(','), rest.size());
@@ -80,9 +82,8 @@ void refuseOtherSeparators(std::string_view row, std::string_view file, std::siz
   const std::vector<std::string_view> by_semicolon = split(row, ';');
   const bool all_numbers = std::all_of(by_semicolon.begin(), by_semicolon.end(), isNumberWithComma);
   if (by_semicolon.size() > 1 && (!has_comma || all_numbers)) {
-    throw Error::atLine(file, line,
-                        "fields are separated by semicolons: save the table with commas between fields and points in "
-                        "numbers");
+    throw Error::atLine(
+        file, line, "fields are separated by semicolons; save the table with commas between fields and decimal points");
   }
   const std::size_t blank = row.find_first_of(" \t");
   if (has_comma || blank == std::string_view::npos) return;
@@ -90,7 +91,7 @@ void refuseOtherSeparators(std::string_view row, std::string_view file, std::siz
   if (!by_tabs && !isNumberWithComma(row.substr(0, blank))) return;  // a name of several words
   throw Error::atLine(
       file, line,
-      fmt::format("fields are separated by {}: save the table with commas between them", by_tabs ? "tabs" : "blanks"));
+      fmt::format("fields are separated by {}; save the table with commas between them", by_tabs ? "tabs" : "spaces"));
 }
 
 /// Finds the ends of lines: LF, CR LF or CR. A text without one kind is searched for it once.
@@ -116,7 +117,7 @@ class LineEnds {
 }  // namespace
 
 void forEachCsvRow(std::string_view text, std::string_view file, const std::function<void(const CsvRow&)>& visit) {
-  if (isUtf16(text)) throw Error::atLine(file, 1, "the text is UTF-16: save it as UTF-8");
+  if (isUtf16(text)) throw Error::atLine(file, 1, "the text is UTF-16; save it as UTF-8");
   text = withoutByteOrderMark(text);
   LineEnds lines(text);
   std::vector<std::string_view> fields;
@@ -158,7 +159,8 @@ double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_
     throw Error::atLine(row.file, row.line,
                         fmt::format("{} is not a number: '{}'", column_name, field.substr(0, kMaxQuotedField)));
   }
-  if (!std::isfinite(*value)) throw Error::atLine(row.file, row.line, fmt::format("{} is {}", column_name, field));
+  if (!std::isfinite(*value))
+    throw Error::atLine(row.file, row.line, fmt::format("{} must be finite, got {}", column_name, field));
   return *value;
 }
 

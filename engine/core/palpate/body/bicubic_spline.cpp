@@ -53,7 +53,8 @@ LocalBasis basisAt(int count, double at) {
 
 BicubicSpline::BicubicSpline(int across, int along, std::vector<double> coefficients)
     : across_(across), along_(along), coefficients_(std::move(coefficients)) {
-  if (across <= kDegree || along <= kDegree) throw Error("a cubic spline needs at least 4 coefficients each way");
+  if (across <= kDegree || along <= kDegree)
+    throw Error("spline: at least 4 coefficients are required in each direction");
   if (coefficients_.size() != static_cast<std::size_t>(across) * along)
     throw Error("spline: wrong number of coefficients");
 }

@@ -30,7 +30,7 @@ constexpr double kReachSlack = 1.0 + 1e-9;
 
 BoneDepth depthToBones(std::span<const Vec3> points, std::span<const Bone> bones) {
   const JoinedBones all = joined(bones);
-  if (all.mesh.triangles.empty()) throw Error("there is no bone to measure the depth to");
+  if (all.mesh.triangles.empty()) throw Error("bone depth: the body has no bones");
   const mesh::NearestTriangle tree(all.mesh);
   BoneDepth result;
   result.depth_mm.reserve(points.size());

@@ -43,14 +43,14 @@ std::string ribName(int number, const char* side) { return "rib_" + std::to_stri
 
 void check(const BonesSettings& settings) {
   if (!(settings.stature_mm >= 300.0 && settings.stature_mm <= 3000.0)) {
-    throw Error("stature must lie between 300 and 3000 mm");
+    throw Error("stature must be 300 to 3000 mm");
   }
-  if (settings.triangles % 2 != 0) throw Error("closed bones have an even number of triangles in all");
+  if (settings.triangles % 2 != 0) throw Error("bones: the number of triangles must be even (closed surfaces)");
   if (settings.triangles < kFewestBoneTriangles) {
     throw Error("the bones need at least " + std::to_string(kFewestBoneTriangles) + " triangles");
   }
   if (settings.cell_mm != 0.0 && !(settings.cell_mm >= kMinCellMm && settings.cell_mm <= kLargestCellMm)) {
-    throw Error("the grid of the bones must lie between 0.5 and 3 mm");
+    throw Error("bones: the grid cell must be 0.5 to 3 mm");
   }
 }
 
@@ -61,7 +61,8 @@ double cellSize(const BonesSettings& settings) {
 
 // Throws when the mesh before the reduction has fewer triangles than requested.
 mesh::TriangleMesh reduced(mesh::TriangleMesh mesh, std::size_t triangles, const mesh::DecimateOptions& options = {}) {
-  if (mesh.triangles.size() < triangles) throw Error("too many triangles for this grid of the bones");
+  if (mesh.triangles.size() < triangles)
+    throw Error("bones: too many triangles for this grid cell; use fewer, or a smaller cell");
   return mesh::decimate(std::move(mesh), triangles, options);
 }
 

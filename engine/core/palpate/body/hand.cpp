@@ -329,14 +329,14 @@ PalpatingHand makePalpatingHand(Side side) {
 }
 
 mesh::TriangleMesh makeHand(const HandSettings& settings) {
-  if (settings.triangles % 2 != 0) throw Error("a closed hand has an even number of triangles");
-  if (settings.triangles < kFewestHandTriangles) throw Error("a hand needs at least 200 triangles");
+  if (settings.triangles % 2 != 0) throw Error("hand: the number of triangles must be even (closed surface)");
+  if (settings.triangles < kFewestHandTriangles) throw Error("hand: the number of triangles must be at least 200");
   if (!(settings.length_mm >= 20.0 && settings.length_mm <= 1000.0)) {
-    throw Error("the length of a hand must lie between 20 and 1000 mm");
+    throw Error("hand: the length must be 20 to 1000 mm");
   }
   mesh::TriangleMesh hand = rightHand();
   if (hand.triangles.size() < settings.triangles) {
-    throw Error("a hand has at most " + std::to_string(hand.triangles.size()) + " triangles");
+    throw Error("a hand can have at most " + std::to_string(hand.triangles.size()) + " triangles");
   }
   hand = mesh::decimate(std::move(hand), settings.triangles);
   for (Vec3& p : hand.positions) p *= settings.length_mm / kTableLengthMm;

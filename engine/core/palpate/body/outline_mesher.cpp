@@ -365,7 +365,7 @@ double areaInside(const FlatOutline& outline) {
 
 FlatMesh meshOutline(const FlatOutline& outline, std::size_t triangles, const Lift& lift) {
   if (triangles < kFewestTriangles || triangles > kNoIndex / 4) {
-    throw Error("a skin of " + std::to_string(triangles) + " triangles cannot be made: ask for 500 to 1,000,000,000");
+    throw Error("skin: cannot be made of " + std::to_string(triangles) + " triangles; expected 500 to 1,000,000,000");
   }
   const std::vector<Line> lines = borderLines(outline);
   double border_length = 0;

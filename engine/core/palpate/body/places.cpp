@@ -89,7 +89,8 @@ Moved withoutDistances(const Words& words) {
       moved.name.push_back(words[i]);
       continue;
     }
-    if (!(std::abs(*distance) <= 1000)) throw Error(words[i] + " " + words[i + 1] + ": more than a metre");
+    if (!(std::abs(*distance) <= 1000))
+      throw Error(words[i] + " " + words[i + 1] + ": a distance must be at most 1000 mm");
     moved.by += *distance * direction->along;
     moved.as_written += " " + std::string(direction->as_written) + " " + millimetres(*distance) + " mm";
     ++i;

@@ -27,7 +27,7 @@ std::size_t boneTriangles(const TorsoSettings& settings) {
     return std::clamp<std::size_t>(share / 2 * 2, kFewestBoneTriangles, kMaxBoneTriangles);
   }
   if (settings.bone_triangles + kFewestTriangles > settings.triangles)
-    throw Error("too few triangles are left for the skin");
+    throw Error("torso: the bones leave too few triangles for the skin; use fewer for the bones, or more in total");
   return settings.bone_triangles;
 }
 

@@ -196,7 +196,7 @@ PadPlane padPlane(const Vec3& normal) noexcept {
 }
 
 PressureGround::PressureGround(std::vector<Place> places) : places_(std::move(places)) {
-  if (places_.empty()) throw Error("the pressure under a finger needs the field of at least one stack");
+  if (places_.empty()) throw Error("pressure: at least one layer stack must have a field");
   for (const Place& place : places_) logs_.push_back(elementary::log(place.thickness_mm));
 }
 

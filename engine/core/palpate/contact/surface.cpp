@@ -41,7 +41,8 @@ void checkEach(const std::vector<double>& values, std::size_t vertices, const st
   }
   for (std::size_t v = 0; v < vertices; ++v) {
     if (!(values[v] >= 0.0) || !std::isfinite(values[v])) {
-      throw Error("contact surface: the " + what + " of vertex " + std::to_string(v) + " is not a number >= 0");
+      throw Error("contact surface: the " + what + " of vertex " + std::to_string(v) +
+                  " must be a number of at least 0");
     }
   }
 }
@@ -92,7 +93,7 @@ void checkFans(const Surface& surface, std::size_t vertex_count, const Progress&
     visitFan(surface, one_record[v], corner, [&](Index, int) { ++reached; });
     if (reached != triangles[v]) {
       throw Error("contact surface: the triangles of vertex " + std::to_string(v) +
-                  " do not form one fan; repair the mesh first");
+                  " do not form a single fan; repair the mesh first");
     }
   }
 }

@@ -18,7 +18,8 @@ namespace {
 void requireVerticesOfTriangles(const mesh::TriangleMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const Index v : mesh.triangles[t]) {
-      if (v >= mesh.positions.size()) throw Error(fmt::format("triangle {} names vertex {}, which is not there", t, v));
+      if (v >= mesh.positions.size())
+        throw Error(fmt::format("triangle {} uses vertex {}, which does not exist", t, v));
     }
   }
 }

@@ -47,18 +47,18 @@ Spread measureSpread(std::span<const Vec3> places) {
 void requireSpread(std::span<const Vec3> places, const char* whose) {
   const auto is_number = [](const Vec3& place) { return place.allFinite(); };
   if (!std::all_of(places.begin(), places.end(), is_number)) {
-    throw Error(fmt::format("calibration: the places of the {} must be finite", whose));
+    throw Error(fmt::format("calibration: the points of the {} must be finite", whose));
   }
   const Spread spread = measureSpread(places);
   if (spread.length < kMinApartMm) {
-    throw Error(
-        fmt::format("calibration: the places of the {} lie within {:.1f} mm: take them at least {:.0f} mm apart", whose,
-                    spread.length, kMinApartMm));
+    throw Error(fmt::format(
+        "calibration: the points of the {} are within {:.1f} mm of each other; choose points at least {:.0f} mm apart",
+        whose, spread.length, kMinApartMm));
   }
   if (spread.width < kMinWidthShare * spread.length) {
     throw Error(
-        fmt::format("calibration: the places of the {} lie nearly on a line ({:.1f} mm beside one of {:.1f} mm): "
-                    "take the corners of a triangle",
+        fmt::format("calibration: the points of the {} are nearly on a line ({:.1f} mm wide, {:.1f} mm long); choose "
+                    "the corners of a triangle",
                     whose, spread.width, spread.length));
   }
 }
@@ -73,8 +73,9 @@ Vec3 centroid(std::span<const Vec3> places) {
 
 Calibration calibrationOf(std::span<const Vec3> of_device, std::span<const Vec3> of_body) {
   if (of_device.size() != of_body.size() || of_device.size() < kCalibrationPlaces) {
-    throw Error(fmt::format("calibration: {} places of the device and {} of the body; three or more of both are wanted",
-                            of_device.size(), of_body.size()));
+    throw Error(fmt::format(
+        "calibration: {} device points and {} body points; expected the same number of both, at least three",
+        of_device.size(), of_body.size()));
   }
   requireSpread(of_device, "device");
   requireSpread(of_body, "body");
@@ -95,8 +96,8 @@ Calibration calibrationOf(std::span<const Vec3> of_device, std::span<const Vec3>
   frame.axes = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
   frame.mm = svd.singularValues().dot(sign) / device_square;
   if (!(frame.mm >= kMinScale && frame.mm <= kMaxScale)) {
-    throw Error(fmt::format("calibration: a millimetre of the device would be {:.3g} of the body; {} to {} may be",
-                            frame.mm, kMinScale, kMaxScale));
+    throw Error(fmt::format("calibration: the scale from device to body is {:.3g}; expected {} to {}", frame.mm,
+                            kMinScale, kMaxScale));
   }
   frame.origin_mm = body_middle - frame.mm * (frame.axes * device_middle);
   double square = 0.0;

@@ -9,7 +9,7 @@
 namespace palpate::device {
 
 Device scriptedDevice(std::string name, std::shared_ptr<const std::vector<Vec3>> tips) {
-  if (tips == nullptr || tips->empty()) throw Error(name + ": a scripted device needs at least one position");
+  if (tips == nullptr || tips->empty()) throw Error(name + ": a scripted device requires at least one position");
   Device device;
   device.name = std::move(name);
   device.read_tip = [tips = std::move(tips)](std::uint64_t tick) {

@@ -15,8 +15,8 @@ namespace palpate::device {
 namespace {
 
 [[noreturn]] void refuseAxes(std::string_view words, std::string_view cause) {
-  throw Error(
-      fmt::format("axes '{}': {}; three of x, y, z with or without a minus, like y,z,x", oneLine(words), cause));
+  throw Error(fmt::format("axes '{}': {}; expected x, y and z in any order, each with an optional minus, e.g. y,z,x",
+                          oneLine(words), cause));
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ Mat3 axesNamed(std::string_view words) {
     axes(row, name[0] - 'x') = sign;
   }
   const double volume = axes.determinant();
-  if (volume == 0.0) refuseAxes(words, "an axis stands twice");
+  if (volume == 0.0) refuseAxes(words, "an axis is named twice");
   if (volume < 0.0) refuseAxes(words, "a mirror image, which swaps left and right of the hand");
   return axes;
 }

@@ -298,13 +298,14 @@ DeviceIdentification identify(const SwingRecord& record) {
   const std::vector<HalfSwing> swings = halfSwings(record);
   const bool from_rest = std::any_of(swings.begin(), swings.end(), [](const HalfSwing& s) { return s.from_rest; });
   if (swings.size() < 2 || !from_rest) {
-    throw Error("the device did not swing: it is held, at a stop, or rougher than the force that it may be given");
+    throw Error(
+        "the device did not swing: it is held, is at a mechanical stop, or its friction exceeds the allowed force");
   }
   DeviceIdentification found;
   found.delay_ticks = bestDelay(record, swings);
   const Fit fit = fitWith(record, swings, found.delay_ticks);
   const double per_mass = fit.shares[0];
-  if (!(per_mass > 0.0)) throw Error("the device did not move as the force says: no mass fits");
+  if (!(per_mass > 0.0)) throw Error("the device's motion does not follow the force; no mass fits");
   found.mass_kg = 1.0 / per_mass / kKilogram;
   found.damping_n_s_per_mm = fit.shares[1] / per_mass;
   found.friction_n = fit.shares[2] / per_mass;

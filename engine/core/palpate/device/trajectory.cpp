@@ -30,11 +30,11 @@ void appendRow(const CsvRow& row, Trajectory& trajectory) {
   const double time = csvNumber(row, 0, "t_s", kTimesS);
   if (!trajectory.time_s.empty() && time <= trajectory.time_s.back()) {
     throw Error::atLine(row.file, row.line,
-                        fmt::format("time does not increase: {} s after {} s", time, trajectory.time_s.back()));
+                        fmt::format("t_s must increase, but {} s follows {} s", time, trajectory.time_s.back()));
   }
   if (!trajectory.time_s.empty() && time - trajectory.time_s.front() > kLongestTrajectoryS) {
     throw Error::atLine(row.file, row.line,
-                        fmt::format("t_s = {} is {} s after the first row: a trajectory lasts at most {} s", time,
+                        fmt::format("t_s = {} is {} s after the first row; a trajectory lasts at most {} s", time,
                                     time - trajectory.time_s.front(), readableNumber(kLongestTrajectoryS)));
   }
   trajectory.time_s.push_back(time);
@@ -91,7 +91,7 @@ Trajectory parseTrajectory(std::string_view text, std::string_view name) {
     requireFields(row);
     appendRow(row, trajectory);
   });
-  if (trajectory.time_s.empty()) throw Error::inFile(name, "empty trajectory: no rows");
+  if (trajectory.time_s.empty()) throw Error::inFile(name, "the trajectory has no rows");
   return trajectory;
 }
 
@@ -116,7 +116,7 @@ Trajectory resampled(const Trajectory& trajectory, double tick_s) {
   const double on_tick_s = onTickS(trajectory, tick_s);
   const double ticks = std::floor((trajectory.time_s.back() - start + on_tick_s) / tick_s);
   if (!(ticks < kMaxTicks))
-    throw Error(fmt::format("a trajectory of {} ticks is too long: at most {}", readableNumber(ticks),
+    throw Error(fmt::format("the trajectory has {} ticks; expected at most {}", readableNumber(ticks),
                             readableNumber(kMaxTicks)));
 
   Trajectory result;

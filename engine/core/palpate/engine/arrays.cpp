@@ -20,11 +20,13 @@ namespace {
 void checkStiffness(std::span<const double> stiffness, std::size_t vertices) {
   if (stiffness.empty()) return;
   if (stiffness.size() != vertices) {
-    throw Error(fmt::format("arrays: {} stiffnesses for {} vertices", stiffness.size(), vertices));
+    throw Error(fmt::format("arrays: {} stiffness values for {} vertices; expected one per vertex", stiffness.size(),
+                            vertices));
   }
   for (std::size_t v = 0; v < vertices; ++v) {
     if (!std::isfinite(stiffness[v]) || stiffness[v] < 0.0) {
-      throw Error(fmt::format("arrays: the stiffness of vertex {} is {}, not a number >= 0", v, stiffness[v]));
+      throw Error(
+          fmt::format("arrays: the stiffness of vertex {} is {}; expected a number of at least 0", v, stiffness[v]));
     }
   }
 }
@@ -87,11 +89,11 @@ std::vector<Index> sourcesOfTriangles(const mesh::TriangleMesh& given, const std
 namespace arrays {
 
 void checkCounts(std::size_t coordinates, std::size_t corners) {
-  if (coordinates % 3 != 0) throw Error(fmt::format("arrays: {} coordinates are not three a vertex", coordinates));
-  if (corners % 3 != 0) throw Error(fmt::format("arrays: {} corners are not three a triangle", corners));
+  if (coordinates % 3 != 0) throw Error(fmt::format("arrays: {} coordinates; expected three per vertex", coordinates));
+  if (corners % 3 != 0) throw Error(fmt::format("arrays: {} corners; expected three per triangle", corners));
   constexpr std::size_t kMax = std::numeric_limits<Index>::max() - 1;
   if (coordinates / 3 > kMax || corners / 3 > kMax) {
-    throw Error("arrays: more vertices or triangles than 32-bit indices can name");
+    throw Error("arrays: too many vertices or triangles for 32-bit indices");
   }
 }
 
@@ -100,8 +102,8 @@ void failAtCoordinate(std::size_t place) {
 }
 
 void failAtCorner(std::size_t place, long long index, std::size_t vertices) {
-  throw Error(fmt::format("arrays: corner {} of triangle {} is vertex {}, and there are {}", place % 3, place / 3,
-                          index, vertices));
+  throw Error(fmt::format("arrays: corner {} of triangle {} is vertex {}, but there are only {} vertices", place % 3,
+                          place / 3, index, vertices));
 }
 
 }  // namespace arrays

@@ -47,8 +47,9 @@ void checkFingers(const scene::World& world, std::span<const contact::FingerSett
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     checkFinger(fingers[i], i);
     if (world.hdb && fingers[i].radius_mm > 0.0) {
-      throw Error(fmt::format("finger {}: the detecting box touches with a point, its radius_mm must be 0, not {}", i,
-                              fingers[i].radius_mm));
+      throw Error(
+          fmt::format("finger {}: contact source \"hdb\" supports point fingers only; radius_mm must be 0, not {}", i,
+                      fingers[i].radius_mm));
     }
   }
 }

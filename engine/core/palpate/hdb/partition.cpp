@@ -21,7 +21,7 @@ void check(const mesh::TriangleMesh& mesh, const BuildSettings& settings) {
   };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const Index vertex : mesh.triangles[t]) {
-      if (vertex >= mesh.positions.size()) fail(t, "names a vertex that does not exist");
+      if (vertex >= mesh.positions.size()) fail(t, "uses a vertex that does not exist");
       if (!mesh::isUsable(mesh.positions[vertex])) fail(t, "has a coordinate that is not finite or absurdly large");
     }
   }

@@ -39,7 +39,7 @@ std::size_t countRadii(const CsvRow& row, std::size_t wanted) {
                                     kMaxContourRadii, row.fields.size()));
   }
   if (wanted == 0 || radii == wanted) return radii;
-  throw Error::atLine(row.file, row.line, fmt::format("{} radii, the rows before have {}", radii, wanted));
+  throw Error::atLine(row.file, row.line, fmt::format("{} radii, but the rows before it have {}", radii, wanted));
 }
 
 /// The columns carry the units in their names, so a header that differs is not ours.

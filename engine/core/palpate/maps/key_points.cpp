@@ -76,11 +76,11 @@ FurtherColumns readHeader(const CsvRow& row) {
   for (const std::string_view name : row.fields.subspan(kFields)) {
     if (!isFurtherColumn(name)) {
       throw Error::atLine(row.file, row.line,
-                          fmt::format("'{}' is not a column of key points; behind {} may follow {}, {}", oneLine(name),
-                                      kHeader, kStiffnessColumn, fmt::join(kMeasuredColumns, ", ")));
+                          fmt::format("'{}' is not a column of key points; expected {}, then any of {}, {}",
+                                      oneLine(name), kHeader, kStiffnessColumn, fmt::join(kMeasuredColumns, ", ")));
     }
     if (std::ranges::find(further.names, name) != further.names.end()) {
-      throw Error::atLine(row.file, row.line, fmt::format("two columns are called {}", name));
+      throw Error::atLine(row.file, row.line, fmt::format("column {} appears twice", name));
     }
     further.names.emplace_back(name);
   }

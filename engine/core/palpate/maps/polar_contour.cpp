@@ -21,7 +21,7 @@ constexpr double kTurn = 2.0 * std::numbers::pi;
 
 void requireCount(std::size_t radii) {
   if (radii >= kMinContourRadii && radii <= kMaxContourRadii) return;
-  throw Error(fmt::format("contour: {} radii, needs {} to {}", radii, kMinContourRadii, kMaxContourRadii));
+  throw Error(fmt::format("contour: {} radii; expected {} to {}", radii, kMinContourRadii, kMaxContourRadii));
 }
 
 /// From p1 at t = 0 to p2 at t = 1, with the slopes of the neighbours.
@@ -50,7 +50,8 @@ PolarContour contourOf(std::span<const double> radii_mm) {
   contour.count = radii_mm.size();
   for (std::size_t i = 0; i < contour.count; ++i) {
     if (!(radii_mm[i] > 0.0) || !std::isfinite(radii_mm[i])) {
-      throw Error(fmt::format("contour: radius {} of {} is {} mm", i + 1, contour.count, radii_mm[i]));
+      throw Error(
+          fmt::format("contour: radius {} of {} must be above 0 mm, got {}", i + 1, contour.count, radii_mm[i]));
     }
     contour.log_radii[i] = elementary::log(radii_mm[i]);
   }

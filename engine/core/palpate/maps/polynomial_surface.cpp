@@ -42,16 +42,17 @@ void forEachTerm(const Vec2& place, std::size_t degree, const Visit& visit) {
 }
 
 void requireEnough(std::span<const Vec2> places, std::span<const double> values, std::size_t degree) {
-  if (places.size() != values.size()) throw Error("polynomial: one value a place is needed");
+  if (places.size() != values.size()) throw Error("polynomial: expected one value per point");
   if (degree > kMaxPolynomialDegree) {
-    throw Error(fmt::format("polynomial: degree {} is above {}", degree, kMaxPolynomialDegree));
+    throw Error(fmt::format("polynomial: degree {} is too high; expected at most {}", degree, kMaxPolynomialDegree));
   }
   if (places.size() < polynomialTerms(degree)) {
-    throw Error(fmt::format("polynomial of degree {}: needs {} key points, there are {}", degree,
-                            polynomialTerms(degree), places.size()));
+    throw Error(fmt::format("polynomial of degree {}: requires {} key points, got {}", degree, polynomialTerms(degree),
+                            places.size()));
   }
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!places[i].allFinite() || !std::isfinite(values[i])) throw Error("polynomial: a number is not finite");
+    if (!places[i].allFinite() || !std::isfinite(values[i]))
+      throw Error("polynomial: points and values must be finite");
   }
 }
 
@@ -69,8 +70,9 @@ PolynomialSurface::PolynomialSurface(std::span<const Vec2> places_mm, std::span<
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows);
   qr.setThreshold(kDetermined);
   if (qr.rank() < static_cast<Eigen::Index>(terms)) {
-    throw Error(fmt::format("polynomial of degree {}: the key points determine {} of its {} terms only", degree,
-                            qr.rank(), terms));
+    throw Error(fmt::format(
+        "polynomial of degree {}: the key points determine only {} of its {} terms; lower the degree or add points",
+        degree, qr.rank(), terms));
   }
   const Eigen::VectorXd fit = qr.solve(Eigen::Map<const Eigen::VectorXd>(values.data(), values.size()));
   coefficients_.assign(fit.begin(), fit.end());

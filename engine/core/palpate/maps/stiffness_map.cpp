@@ -50,7 +50,7 @@ double stiffnessFactor(const Dysfunction& dysfunction, const Vec2& place) {
 
 void applyDysfunctions(std::span<const Vec3> positions, std::span<const Dysfunction> dysfunctions,
                        std::span<double> stiffness_n_per_mm) {
-  if (stiffness_n_per_mm.size() != positions.size()) throw Error("stiffness map: one stiffness a vertex is needed");
+  if (stiffness_n_per_mm.size() != positions.size()) throw Error("stiffness map: expected one stiffness per vertex");
   for (std::size_t v = 0; v < positions.size(); ++v) {
     for (const Dysfunction& d : dysfunctions) stiffness_n_per_mm[v] *= stiffnessFactor(d, positions[v].head<2>());
   }

@@ -47,12 +47,14 @@ Samples withoutCoincidence(std::span<const Vec2> places, std::span<const double>
 }
 
 void requireNumbers(std::span<const Vec2> places, std::span<const double> values) {
-  if (places.size() != values.size()) throw Error("thin-plate spline: one value a place is needed");
+  if (places.size() != values.size()) throw Error("thin-plate spline: expected one value per point");
   if (places.size() > kMaxThinPlatePlaces) {
-    throw Error(fmt::format("thin-plate spline: {} key points, at most {}", places.size(), kMaxThinPlatePlaces));
+    throw Error(
+        fmt::format("thin-plate spline: {} key points; expected at most {}", places.size(), kMaxThinPlatePlaces));
   }
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!places[i].allFinite() || !std::isfinite(values[i])) throw Error("thin-plate spline: a number is not finite");
+    if (!places[i].allFinite() || !std::isfinite(values[i]))
+      throw Error("thin-plate spline: points and values must be finite");
   }
 }
 
@@ -69,7 +71,7 @@ void requirePlane(const Eigen::MatrixXd& affine_rows) {
     qr.setThreshold(kFlat);
     if (qr.rank() == 3) return;
   }
-  throw Error("thin-plate spline: needs three key points that are not on one line");
+  throw Error("thin-plate spline: requires three key points that are not on one line");
 }
 
 /// r^2 ln r of a squared distance.

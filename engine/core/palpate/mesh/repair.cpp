@@ -188,7 +188,7 @@ class Repairing {
   }
 
   void requireNonEmpty() const {
-    if (result_.mesh.triangles.empty()) throw Error("the mesh has no triangle that can be felt");
+    if (result_.mesh.triangles.empty()) throw Error("the mesh has no usable triangles");
   }
 
   RepairResult releaseResult() { return std::move(result_); }

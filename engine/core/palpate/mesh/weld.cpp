@@ -69,7 +69,7 @@ ExactWelder::ExactWelder(std::size_t expected_vertices) {
 Index ExactWelder::add(const Vec3& position) {
   if (2 * positions_.size() >= slots_.size()) grow();
   const auto next = static_cast<Index>(positions_.size());
-  if (next == kNoIndex) throw Error("more vertices than 32-bit indices can name");
+  if (next == kNoIndex) throw Error("too many vertices for 32-bit indices");
   if (position.allFinite()) {
     const std::size_t slot = slotOf(position);
     if (slots_[slot] != kNoIndex) return slots_[slot];

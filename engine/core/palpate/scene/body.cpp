@@ -31,8 +31,8 @@ void noteNarrowCracks(const contact::SurfaceGeometry& geometry, std::vector<std:
   const contact::NarrowCracks cracks = contact::countCracks(geometry);
   if (cracks.count == 0) return;
   notes.push_back(
-      fmt::format("cracks narrower than {:.2g} mm: {}, the largest at ({:.1f}, {:.1f}, {:.1f}) mm; a point finger goes "
-                  "over them as over closed skin",
+      fmt::format("cracks narrower than {:.2g} mm: {}, the largest at ({:.1f}, {:.1f}, {:.1f}) mm; a point finger "
+                  "crosses them as if the skin were closed",
                   contact::crackWidth(geometry), cracks.count, cracks.at.x(), cracks.at.y(), cracks.at.z()));
 }
 

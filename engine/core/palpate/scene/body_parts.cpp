@@ -115,7 +115,7 @@ void noteDoubtfulUnit(const mesh::TriangleMesh& skin, std::vector<std::string>& 
   const Eigen::AlignedBox3d box = mesh::boundingBox(skin);
   if (!mesh::hasDoubtfulSize(box)) return;
   const double length = box.diagonal().norm();
-  notes.push_back(fmt::format("the body is {:.3g} mm from corner to corner: is its unit right? (unit, scale)", length));
+  notes.push_back(fmt::format("the body is {:.3g} mm from corner to corner; check unit and scale", length));
 }
 
 void requireFit(const mesh::TriangleMesh& mesh, const Progress& progress) {
@@ -188,7 +188,7 @@ BodyParts mendedBody(mesh::TriangleMesh mesh, std::string name, const Progress& 
   source_vertex = permuted(repaired.source_vertex, mesh::reorderSpatially(parts.skin).source_vertex);
   parts.self_intersecting = mesh::isSelfIntersecting(mesh::findIntersections(parts.skin, progress));
   if (parts.self_intersecting)
-    parts.notes.emplace_back("the surface intersects itself: where it does a point finger is a tiny sphere");
+    parts.notes.emplace_back("the surface intersects itself; at those places a point finger acts as a tiny sphere");
   noteDoubtfulUnit(parts.skin, parts.notes);
   return parts;
 }

@@ -128,7 +128,7 @@ const ErratumText& textOf(Erratum erratum) { return kTexts[static_cast<std::size
 Erratum requireErratum(std::string_view name, std::string_view words) {
   const Erratum erratum = erratumNamed(name);
   if (erratum != Erratum::none) return erratum;
-  throw Error(fmt::format("fidelity is \"{}\" or errata such as E14,E29; not '{}'",
+  throw Error(fmt::format("fidelity must be \"{}\" or errata such as E14,E29; got '{}'",
                           fmt::join(enumNames<Reading>(), "\", \""), words));
 }
 
@@ -160,7 +160,7 @@ void requireSwitchable(Erratum erratum) {
     case LiteralForm::switchable:
       return;
     case LiteralForm::setting:
-      throw Error(fmt::format("{} is not a switch of fidelity; see {}", nameOf(erratum), text.choice));
+      throw Error(fmt::format("fidelity: {} cannot be switched here; see {}", nameOf(erratum), text.choice));
     case LiteralForm::none:
       throw Error(fmt::format("{} has no literal form: {}", nameOf(erratum), text.choice));
   }

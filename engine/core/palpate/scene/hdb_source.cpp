@@ -55,10 +55,12 @@ void checkContactSource(const Scene& scene) {
   if (scene.contact.source != ContactSource::hdb) return;
   for (const Finger& finger : scene.fingers) {
     if (finger.radius_mm == 0.0) continue;
-    throw Error(fmt::format("contact source \"hdb\" touches with a point: finger '{}' must have radius_mm = 0, not {}",
-                            finger.name, finger.radius_mm));
+    throw Error(
+        fmt::format("contact source \"hdb\" supports point fingers only: finger '{}' must have radius_mm = 0, not {}",
+                    finger.name, finger.radius_mm));
   }
-  if (scene.contact.finger.force_shading) throw Error("contact source \"hdb\" has no force_shading");
+  if (scene.contact.finger.force_shading)
+    throw Error("contact source \"hdb\" does not support force_shading; set it to false");
 }
 
 std::shared_ptr<const hdb::HdbSurface> buildHdbSource(const Scene& scene, const mesh::TriangleMesh& skin,

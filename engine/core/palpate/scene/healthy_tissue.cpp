@@ -25,7 +25,8 @@ StiffnessSource resolvedSource(const Scene& scene, const Body& body) {
 std::vector<double> stiffnessFromPoints(const Scene& scene, const std::vector<Vec3>& positions, const KeyPoints& keys,
                                         std::vector<std::string>& notes) {
   const bool any = std::any_of(keys.begin(), keys.end(), [](const auto& key) { return key.stiffness_n_per_mm; });
-  if (!any) throw Error("stiffness source \"points\" needs key points with a stiffness ([ellipses] key_points)");
+  if (!any)
+    throw Error("stiffness source \"points\" requires key points with a stiffness column ([ellipses] key_points)");
   maps::StiffnessOfPositions stiffness = maps::measuredStiffness(positions, keys, scene.stiffness.points);
   if (stiffness.limited > 0) {
     notes.push_back(
@@ -41,7 +42,7 @@ std::vector<double> healthyStiffness(const Scene& scene, const Body& body, const
   switch (resolvedSource(scene, body)) {
     case StiffnessSource::depth:
       if (body.anatomy.depth_mm.empty())
-        throw Error("stiffness source \"depth\" needs bones: the built-in bodies have them");
+        throw Error("stiffness source \"depth\" requires bones; use a built-in body or a fitted mesh");
       if (tissue.layered) return secantStiffness(tissue);
       return maps::stiffnessFromDepth(body.anatomy.depth_mm, scene.stiffness.depth);
     case StiffnessSource::points:
@@ -126,10 +127,10 @@ void noteUnfelt(const std::vector<maps::Dysfunction>& dysfunctions, const Body& 
   for (std::size_t i = 0; i < dysfunctions.size(); ++i) {
     const maps::Dysfunction& d = dysfunctions[i];
     if (isFelt(body, d)) continue;
-    notes.push_back(fmt::format(
-        "dysfunction {} at ({}, {}) mm changes nothing: it reaches {} mm, the nearest vertex of the skin is "
-        "{:.3g} mm away",
-        i + 1, d.x_mm, d.y_mm, d.radius_mm, nearestVertexMm(body.skin.positions, Vec2(d.x_mm, d.y_mm))));
+    notes.push_back(
+        fmt::format("dysfunction {} at ({}, {}) mm has no effect: its radius is {} mm, but the nearest skin vertex is "
+                    "{:.3g} mm away",
+                    i + 1, d.x_mm, d.y_mm, d.radius_mm, nearestVertexMm(body.skin.positions, Vec2(d.x_mm, d.y_mm))));
   }
 }
 

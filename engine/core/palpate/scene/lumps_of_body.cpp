@@ -34,7 +34,8 @@ namespace {
 tissue::LayeredTable tableWithField(const std::filesystem::path& file, std::string_view who) {
   tissue::LayeredTable table = tissue::readLayeredTable(file);
   if (table.field && !table.stack.layers.empty()) return table;
-  throw Error(fmt::format("{} has no field, which {} need: palpate tissue solve --field", file.string(), who));
+  throw Error(fmt::format("{} has no press field, which {} require; make the table with palpate tissue solve --field",
+                          file.string(), who));
 }
 
 }  // namespace
@@ -55,7 +56,7 @@ LumpGround::LumpGround(const Scene& scene, const HealthyTissue& healthy, bool la
   } else if (layered && healthy.tissue.layered) {
     solved->layers = healthy.tissue.layered;
   } else {
-    throw Error(fmt::format("{} need layered tissue: give [tissue] layer_table", who));
+    throw Error(fmt::format("{} require layered tissue; set [tissue] layer_table", who));
   }
   solved_ = std::move(solved);
 }
@@ -147,13 +148,13 @@ void requireRoom(const LumpSettings& lump, const tissue::LumpShape& shape, const
             ? fmt::format("here {:.1f} to {:.1f} mm", tops.from_mm, tops.to_mm)
             : fmt::format("here from {:.1f} mm on, and the bone is {:.1f} mm deep", tops.from_mm, bone_mm);
     failAt(lump, lump.depth_line > 0 ? lump.depth_line : lump.line,
-           fmt::format("depth_mm = {} in [[lump]] is out of range: the top lies at least 0.5 mm under the skin's "
-                       "layer, {}",
-                       shape.depth_mm, range));
+           fmt::format(
+               "depth_mm = {} in [[lump]] is out of range: the top must be at least 0.5 mm below the skin layer, {}",
+               shape.depth_mm, range));
   }
   if (shape.bottomMm() > bone_mm - kLeftOverBoneMm) {
     fail(lump,
-         fmt::format("reaches the bone: its bottom is {:.1f} mm deep, the bone {:.1f} mm", shape.bottomMm(), bone_mm));
+         fmt::format("reaches the bone: its bottom is at {:.1f} mm, the bone at {:.1f} mm", shape.bottomMm(), bone_mm));
   }
 }
 
@@ -282,9 +283,10 @@ void requireApart(const PlacedLump& one, const PlacedLump& other, std::vector<st
   }
   const double larger_mm = std::max(one.lump.shape.radiusMm(), other.lump.shape.radiusMm());
   if (gap_mm >= larger_mm) return;
-  notes.push_back(fmt::format(
-      "lumps '{}' and '{}' are {:.1f} mm apart: their forces are added, and together they add up to a third more",
-      one.name, other.name, gap_mm));
+  notes.push_back(
+      fmt::format("lumps '{}' and '{}' are {:.1f} mm apart: their forces are simply added, which can overestimate them "
+                  "by up to a third",
+                  one.name, other.name, gap_mm));
 }
 
 tissue::PressedPlace fingertipAt(const PlacedLump& lump) { return {lump.thickness_mm, tissue::kFingertipMm}; }

@@ -35,8 +35,8 @@ FittedCurve requiredCurve(const tissue::ProfileSettings& profile, double bend, s
   const FittedCurve fitted = fittedCurve(profile, bend);
   if (fitted.error <= kMaxCurveError) return fitted;
   throw Error(
-      fmt::format("[[profile]] {} = \"{}\": no smooth curve comes nearer to it than {:.0f} % (at most {:.0f} %); "
-                  "it can be the profile of the whole body ([deformation])",
+      fmt::format("[[profile]] {} = \"{}\": the best smooth curve is {:.0f} % off (limit {:.0f} %); use it for the "
+                  "whole body in [deformation] instead",
                   key, wordFor(profile.kind), 100.0 * fitted.error, 100.0 * kMaxCurveError));
 }
 
@@ -113,8 +113,8 @@ std::shared_ptr<const PlaceCurves> placeCurvesOf(const Scene& scene, const defor
     curves.places.push_back(
         {{place.x_mm, place.y_mm}, place.radius_mm, place.edge_softness, place.region, press.curve, drag.curve});
     notes.push_back(fmt::format(
-        "at {} the skin follows the profiles \"{}\" (press) and \"{}\" (drag) of [[profile]], drawn to "
-        "{:.1f} %, in regions of [deformation]; its force stays",
+        "[[profile]] at {}: the skin follows \"{}\" (press) and \"{}\" (drag) within {:.1f} %, in the regions of "
+        "[deformation]; the force is unchanged",
         formatPlace(place), wordFor(place.press), wordFor(place.drag), 100.0 * std::max(press.error, drag.error)));
   }
   return std::make_shared<const PlaceCurves>(std::move(curves));

@@ -87,7 +87,7 @@ std::vector<std::uint8_t> facing(const mesh::TriangleMesh& skin, const Vec3& nor
 void raise(const LumpSettings& lump, BodyParts& body) {
   const Vec2 place = placeOf(lump, body);
   std::optional<CapPlace> cap = capPlace(body.skin, place);
-  if (!cap) throw Error(fmt::format("lump '{}' has no skin over it to raise", lump.name));
+  if (!cap) throw Error(fmt::format("lump '{}': there is no skin above it to raise", lump.name));
   const double radius = capRadius(lump);
   cap->normal = meanNormal(body.skin, *cap, radius);
   const std::vector<std::uint8_t> looks = facing(body.skin, cap->normal);

@@ -78,10 +78,10 @@ void noteSteepMap(const mesh::TriangleMesh& skin, const SteepPlace& steep, doubl
   if (step_n <= kFeltStep) return;
   const std::array<Index, 3>& triangle = skin.triangles[steep.triangle];
   const Vec3 place = (skin.positions[triangle[0]] + skin.positions[triangle[1]] + skin.positions[triangle[2]]) / 3.0;
-  notes.push_back(fmt::format(
-      "the stiffness changes by {:.2g} N/mm within a millimetre at ({:.0f}, {:.0f}, {:.0f}) mm: a finger that slides "
-      "there, {} mm deep at {} mm/s, feels steps of {:.2g} N; let it change over 5 mm or more",
-      steep.n_per_mm_in_a_mm, place.x(), place.y(), place.z(), kDepth, kSpeed, step_n));
+  notes.push_back(
+      fmt::format("the stiffness changes by {:.2g} N/mm within 1 mm at ({:.0f}, {:.0f}, {:.0f}) mm: a finger sliding "
+                  "there, {} mm deep at {} mm/s, feels steps of {:.2g} N; spread the change over at least 5 mm",
+                  steep.n_per_mm_in_a_mm, place.x(), place.y(), place.z(), kDepth, kSpeed, step_n));
 }
 
 // ---- what is felt
@@ -115,8 +115,8 @@ void noteFingers(const Scene& scene, const tissue::ForceLaw& law, std::vector<st
     const double counts_as = std::clamp(finger.radius_mm, radii.front(), radii.back());
     if (counts_as == finger.radius_mm) continue;
     notes.push_back(
-        fmt::format("finger '{}': layers push back on a radius of {:g} mm as on one of {:g} mm, the "
-                    "nearest that was solved",
+        fmt::format("finger '{}': the layered force for a radius of {:g} mm is that for {:g} mm, the nearest radius "
+                    "that was solved",
                     finger.name, finger.radius_mm, counts_as));
   }
 }
@@ -135,7 +135,7 @@ std::shared_ptr<const contact::PressureGround> pressureIfAsked(const Scene& scen
     return pressureGround(LumpGround(scene, healthy, layered, "pressure pads"));
   } catch (const Error& error) {
     if (!scene.lumps.empty()) throw;
-    notes.push_back(fmt::format("finger '{}' has no pressure on its pad: {}", padded->name, error.what()));
+    notes.push_back(fmt::format("finger '{}': no pressure is computed for its pad: {}", padded->name, error.what()));
     return nullptr;
   }
 }
@@ -144,8 +144,8 @@ std::shared_ptr<const contact::PressureGround> pressureIfAsked(const Scene& scen
 
 void noteUnknownScalar(const Scene& scene, const SkinChannels* channels, std::vector<std::string>& notes) {
   if (scene.view.scalar.empty() || scalarNamed(channels, scene.view.scalar) != nullptr) return;
-  notes.push_back(fmt::format("[view] scalar \"{}\": no such number in the mesh file; it has {}", scene.view.scalar,
-                              scalarNames(channels)));
+  notes.push_back(fmt::format("[view] scalar \"{}\": the mesh file has no such vertex value; it has {}",
+                              scene.view.scalar, scalarNames(channels)));
 }
 
 // ---- what a device may do
@@ -158,7 +158,7 @@ void noteOldLimits(const SafetySettings& safety, std::vector<std::string>& notes
     return;
   }
   notes.emplace_back(
-      "[safety] slew_per_motion, slew_mm and passivity_allowance_n_mm have no effect any more "
+      "[safety] slew_per_motion, slew_mm and passivity_allowance_n_mm no longer have an effect; remove them "
       "(docs/explanation/safety.md)");
 }
 
@@ -168,7 +168,8 @@ std::optional<body::BreathField> makeBreath(const Scene& scene, const Body& body
   if (!scene.breathing.on) return std::nullopt;
   const double front_z = body.box.min().z();
   auto breath = body::BreathField::of(scene.breathing, body.anatomy.landmarks, body.anatomy.support, front_z);
-  if (!breath) notes.emplace_back("[breathing] changes nothing: only a body whose spine is known breathes");
+  if (!breath)
+    notes.emplace_back("[breathing] has no effect: it requires a body with a known spine (built-in or fitted)");
   return breath;
 }
 
@@ -329,7 +330,7 @@ std::shared_ptr<const World> rebuilt(const World& world, const Scene& scene, con
 
 std::shared_ptr<const World> rebuiltOnItsSkin(const World& world, const Scene& scene, const Progress& progress) {
   if (!haveEqualSwellings(world.scene, scene))
-    throw Error("a changed swelling changes the skin; build the world anew (scene::build)");
+    throw Error("a changed swelling changes the skin; build a new world (scene::build)");
   return assembleWorld(scene, world.body, formsOf(scene), &world, progress);
 }
 

@@ -285,8 +285,8 @@ std::vector<std::string> safetyNotes(const scene::SafetySettings& asked, const d
   const auto note = [&notes](std::string text) { notes.push_back("[safety] " + std::move(text)); };
   if (exceedsSafe(asked, profile, tick_s)) {
     notes.push_back(
-        fmt::format("{} (--unsafe-stiffness): up to {:.3g} N/mm and {:.3g} N{}{} where {:.3g} N/mm and "
-                    "{:.3g} N are safe: the loop may oscillate",
+        fmt::format("{} (--unsafe-stiffness): up to {:.3g} N/mm and {:.3g} N{}{}, but only {:.3g} N/mm and {:.3g} N "
+                    "are safe; the loop may oscillate",
                     kUnsafeMark, cap, force_n, held.passivity ? "" : ", without passivity",
                     held.soft_contact ? "" : ", without soft contact", safe_cap, safe_n));
   }

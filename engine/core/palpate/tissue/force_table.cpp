@@ -48,7 +48,7 @@ ForceTable parseForceTable(std::string_view text, std::string_view name) {
     if (std::exchange(first, false) && looksLikeCsvHeader(row)) return;
     append(table, row);
   });
-  if (table.rows == 0) throw Error::inFile(name, "has no row with a depth above 0");
+  if (table.rows == 0) throw Error::inFile(name, "requires at least one row with a depth above 0");
   return table;
 }
 

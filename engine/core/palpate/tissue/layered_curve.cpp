@@ -27,7 +27,7 @@ Row basisAt(double bend, double q) {
 Eigen::Index countWithin(std::span<const CurveSample> samples) {
   Eigen::Index rows = 0;
   for (const CurveSample& sample : samples) rows += sample.q < 1.0 ? 1 : 0;
-  if (rows < kCurveTerms) throw Error("layered curve: fewer samples within the rim than terms");
+  if (rows < kCurveTerms) throw Error("layered curve: fewer samples inside the rim than terms; add samples");
   return rows;
 }
 

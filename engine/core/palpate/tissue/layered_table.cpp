@@ -58,8 +58,8 @@ bool isPlain(char c) {
 
 void check(const Layer& layer, std::string_view where) {
   if (layer.name.size() > kLongestLayerName || !std::ranges::all_of(layer.name, isPlain)) {
-    throw Error(fmt::format("{}: '{}' is not a name: up to {} letters, digits, blanks, '-', '_', '.'", where,
-                            oneLine(layer.name), kLongestLayerName));
+    throw Error(fmt::format("{}: '{}' is not a valid name; expected up to {} letters, digits, spaces, '-', '_', '.'",
+                            where, oneLine(layer.name), kLongestLayerName));
   }
   requireInRange(kThickness, layer.thickness_mm, where, "thickness", "mm");
   requireInRange(kYoung, layer.young_kpa, where, "Young's modulus", "kPa");
@@ -68,8 +68,8 @@ void check(const Layer& layer, std::string_view where) {
 // --- checks of a table
 
 void checkRadii(const std::vector<double>& radii) {
-  if (radii.size() < 2) throw Error("radii_mm: at least two are needed");
-  if (radii.size() > kMaxRadii) throw Error(fmt::format("radii_mm: more than {}", kMaxRadii));
+  if (radii.size() < 2) throw Error("radii_mm: at least two values are required");
+  if (radii.size() > kMaxRadii) throw Error(fmt::format("radii_mm: expected at most {} values", kMaxRadii));
   if (radii.front() != 0.0) throw Error(fmt::format("radii_mm: the first must be 0, not {}", radii.front()));
   for (std::size_t i = 1; i < radii.size(); ++i) {
     requireInRange(kTableRadii, radii[i], "radii_mm", fmt::format("radius {}", i + 1), "mm");
@@ -110,8 +110,9 @@ void check(const DragShape& drag, std::size_t radii) {
 
 void check(const FingerForces& finger, const std::string& where) {
   requireInRange(kIndenterRadius, finger.radius_mm, where, "radius_mm", "mm");
-  if (finger.depths_mm.empty()) throw Error(where + ": depths_mm: at least one is needed");
-  if (finger.depths_mm.size() > kMaxShapes) throw Error(fmt::format("{}: depths_mm: more than {}", where, kMaxShapes));
+  if (finger.depths_mm.empty()) throw Error(where + ": depths_mm: at least one value is required");
+  if (finger.depths_mm.size() > kMaxShapes)
+    throw Error(fmt::format("{}: depths_mm: expected at most {} values", where, kMaxShapes));
   if (finger.force_n.size() != finger.depths_mm.size()) {
     throw Error(
         fmt::format("{}: force_n has {} numbers for {} depths", where, finger.force_n.size(), finger.depths_mm.size()));
@@ -121,12 +122,12 @@ void check(const FingerForces& finger, const std::string& where) {
     requireInRange(kFingerTableForces, finger.force_n[i], where, fmt::format("force_n, number {},", i + 1), "N");
     if (i == 0) continue;
     if (!(finger.depths_mm[i] > finger.depths_mm[i - 1])) throw Error(where + ": depths_mm must increase");
-    if (finger.force_n[i] < finger.force_n[i - 1]) throw Error(where + ": force_n must not fall");
+    if (finger.force_n[i] < finger.force_n[i - 1]) throw Error(where + ": force_n must not decrease");
   }
 }
 
 void checkFingers(const LayeredTable& table) {
-  if (table.fingers.size() > kMaxFingers) throw Error(fmt::format("fingers: more than {}", kMaxFingers));
+  if (table.fingers.size() > kMaxFingers) throw Error(fmt::format("fingers: expected at most {}", kMaxFingers));
   for (std::size_t i = 0; i < table.fingers.size(); ++i) {
     const FingerForces& finger = table.fingers[i];
     check(finger, fmt::format("finger {}", i + 1));
@@ -145,7 +146,7 @@ void checkOrder(const PressedShape& before, const PressedShape& shape, const std
     throw Error(fmt::format("{}: depth_mm must increase, but {} follows {}", where, shape.depth_mm, before.depth_mm));
   }
   if (shape.force_n < before.force_n) {
-    throw Error(fmt::format("{}: force_n must not fall, but {} follows {}", where, shape.force_n, before.force_n));
+    throw Error(fmt::format("{}: force_n must not decrease, but {} follows {}", where, shape.force_n, before.force_n));
   }
 }
 
@@ -287,8 +288,8 @@ double totalThickness(const LayerStack& stack) {
 }
 
 void check(const LayerStack& stack) {
-  if (stack.layers.empty()) throw Error("stack: at least one layer is needed");
-  if (stack.layers.size() > kMaxLayers) throw Error(fmt::format("stack: more than {} layers", kMaxLayers));
+  if (stack.layers.empty()) throw Error("stack: at least one layer is required");
+  if (stack.layers.size() > kMaxLayers) throw Error(fmt::format("stack: expected at most {} layers", kMaxLayers));
   for (std::size_t i = 0; i < stack.layers.size(); ++i) check(stack.layers[i], fmt::format("layer {}", i + 1));
   requireInRange(kPoisson, stack.poisson, "stack", "Poisson's ratio");
 }
@@ -298,8 +299,8 @@ void check(const LayeredTable& table) {
   requireInRange(kPoisson, table.stack.poisson, "stack", "Poisson's ratio");
   requireInRange(kIndenterRadius, table.indenter_radius_mm, "table", "indenter_radius_mm", "mm");
   checkRadii(table.radii_mm);
-  if (table.shapes.empty()) throw Error("shapes: at least one is needed");
-  if (table.shapes.size() > kMaxShapes) throw Error(fmt::format("shapes: more than {}", kMaxShapes));
+  if (table.shapes.empty()) throw Error("shapes: at least one is required");
+  if (table.shapes.size() > kMaxShapes) throw Error(fmt::format("shapes: expected at most {}", kMaxShapes));
   for (std::size_t i = 0; i < table.shapes.size(); ++i) {
     const std::string where = fmt::format("shape {}", i + 1);
     check(table.shapes[i], table.radii_mm.size(), where);
@@ -370,7 +371,7 @@ Layer parseLayer(std::string_view text) {
   const bool formed = named || parts.size() == 2;
   const auto thickness = formed ? quantityFrom(parts[parts.size() - 2], kLengths) : std::nullopt;
   const auto young = formed ? quantityFrom(parts.back(), kModuli) : std::nullopt;
-  if (!thickness || !young) throw Error(where + ": a layer is NAME:THICKNESS:MODULUS, such as skin:2mm:150kPa");
+  if (!thickness || !young) throw Error(where + ": expected NAME:THICKNESS:MODULUS, e.g. skin:2mm:150kPa");
   Layer layer{
       .name = named ? std::string(parts.front()) : std::string(), .thickness_mm = *thickness, .young_kpa = *young};
   check(layer, where);

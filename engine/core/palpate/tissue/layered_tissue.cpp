@@ -264,11 +264,11 @@ LayeredNode softenedTo(double most_n_per_mm, LayeredNode node) {
 }
 
 LayeredTissue::LayeredTissue(std::vector<LayeredNode> nodes) : nodes_(std::move(nodes)) {
-  if (nodes_.empty()) throw Error("layered tissue: no table");
+  if (nodes_.empty()) throw Error("layered tissue: at least one table is required");
   std::ranges::sort(nodes_, {}, &LayeredNode::thickness_mm);
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     if (!(nodes_[i].thickness_mm > nodes_[i - 1].thickness_mm))
-      throw Error("layered tissue: two tables of one thickness");
+      throw Error("layered tissue: two tables have the same thickness");
   }
 }
 

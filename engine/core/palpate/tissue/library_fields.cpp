@@ -129,7 +129,9 @@ LumpPlace libraryPlaceAt(double thickness_mm, double fat_mm) {
 }
 
 LumpPlace tablePlace(const LayeredTable& table, std::string_view name) {
-  if (!table.field) throw Error(fmt::format("{} has no field, which lumps need: palpate tissue solve --field", name));
+  if (!table.field)
+    throw Error(fmt::format(
+        "{} has no press field, which lumps require; make the table with palpate tissue solve --field", name));
   return {table.stack, {{&table.stack, &*table.field, 1.0}}};
 }
 

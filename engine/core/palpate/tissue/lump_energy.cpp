@@ -545,7 +545,7 @@ void LumpEnergy::Table::findSteepest() {
 LumpEnergy::LumpEnergy(const LumpShape& lump, const LayerStack& stack, std::span<const WeightedField> fields,
                        std::span<const ForceCorrection> correction) {
   check(lump, stack);
-  if (fields.empty()) throw Error("lump: no field of a press is given");
+  if (fields.empty()) throw Error("lump: the press field is missing");
   auto table = std::make_shared<Table>();
   table->layOut(lump, fields);
   EnergyRows rows = table->rowsOf(lump, stack, fields);

@@ -132,11 +132,11 @@ TopRange topRange(const LumpShape& lump, const LayerStack& stack) {
 }
 
 void check(const LumpShape& lump, const LayerStack& stack) {
-  if (stack.layers.size() < 2) throw Error("lump: needs a skin over at least one other layer");
+  if (stack.layers.size() < 2) throw Error("lump: requires a skin layer above at least one other layer");
   check(stack);
   for (const double half_axis : lump.half_axes_mm) inRange(kHalfAxes, half_axis, "half axis", "mm");
   if (lump.half_axes_mm[0] != lump.half_axes_mm[1]) {
-    throw Error("lump: the first two half axes must be equal: a lump is round when seen from above");
+    throw Error("lump: the first two half axes must be equal (a lump is round seen from above)");
   }
   inRange(kEdges, lump.edge, "edge", "");
   if (lump.young_kpa) inRange(kLumpModuli, *lump.young_kpa, "young_kpa", "kPa");
@@ -144,18 +144,20 @@ void check(const LumpShape& lump, const LayerStack& stack) {
   const TopRange top = topRange(lump, stack);
   if (!(lump.depth_mm >= top.from_mm)) {
     throw Error(
-        fmt::format("lump: depth_mm = {} is out of range: the top lies at least {} mm under the skin's layer, "
-                    "here {:.1f} to {:.1f} mm",
+        fmt::format("lump: depth_mm = {} is out of range: the top must be at least {} mm below the skin layer, here "
+                    "{:.1f} to {:.1f} mm",
                     lump.depth_mm, kUnderSkinMm, top.from_mm, top.to_mm));
   }
   if (!(lump.depth_mm <= top.to_mm)) {
-    throw Error(fmt::format("lump: reaches the bone: its bottom is {:.1f} mm deep, the bone {:.1f} mm", lump.bottomMm(),
-                            totalThickness(stack)));
+    throw Error(fmt::format(
+        "lump: reaches the bone: its bottom is at {:.1f} mm, the bone at {:.1f} mm; make it smaller or shallower",
+        lump.bottomMm(), totalThickness(stack)));
   }
   const double layer_kpa = stack.layers[layerAt(stack, lump.centreMm())].young_kpa;
   if (lump.young_kpa && *lump.young_kpa < kSoftest * layer_kpa) {
-    throw Error(fmt::format("lump: young_kpa = {} is out of range: at least {} times the layer's, here {:g} kPa",
-                            *lump.young_kpa, kSoftest, kSoftest * layer_kpa));
+    throw Error(
+        fmt::format("lump: young_kpa = {} is out of range: expected at least {} times the layer's, here {:g} kPa",
+                    *lump.young_kpa, kSoftest, kSoftest * layer_kpa));
   }
 }
 

@@ -35,8 +35,8 @@ void inRange(const NumberRange& range, double value, std::string_view name) {
 }
 
 void checkKnots(const std::vector<double>& knots, const NumberRange& range, std::size_t most, std::string_view name) {
-  if (knots.size() < 2) throw Error(fmt::format("field: {}: at least two are needed", name));
-  if (knots.size() > most) throw Error(fmt::format("field: {}: more than {}", name, most));
+  if (knots.size() < 2) throw Error(fmt::format("field: {}: at least two values are required", name));
+  if (knots.size() > most) throw Error(fmt::format("field: {}: expected at most {} values", name, most));
   for (std::size_t i = 0; i < knots.size(); ++i) inRange(range, knots[i], fmt::format("{}, number {},", name, i + 1));
 }
 
@@ -69,7 +69,7 @@ void checkRows(const PressField& field, const LayerStack& stack) {
     }
     top = bottom;
   }
-  if (row != field.rows_mm.size()) throw Error("field: row_layers must count the layers from 0, from the skin down");
+  if (row != field.rows_mm.size()) throw Error("field: row_layers must number the layers from 0, from the skin down");
 }
 
 void checkRoots(const std::vector<float>& roots, std::size_t size, std::string_view name) {

@@ -45,7 +45,7 @@ PressurePattern patternAt(std::span<const double> roots, std::span<const Pressur
 
 PressureForm::PressureForm(std::span<const WeightedField> fields, double indenter_radius_mm)
     : indenter_radius_mm_(indenter_radius_mm) {
-  if (fields.empty()) throw Error("pressure: no field of a press is given");
+  if (fields.empty()) throw Error("pressure: the press field is missing");
   const auto longest =
       std::ranges::max_element(fields, {}, [](const WeightedField& one) { return one.field->depths_mm.back(); });
   roots_ = squareRoots(longest->field->depths_mm);

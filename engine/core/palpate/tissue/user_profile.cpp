@@ -45,7 +45,7 @@ std::optional<std::string> faultOfLast(const ProfileKnot& last) {
 }
 
 ProfileKnot parseKnot(const CsvRow& row) {
-  if (row.fields.size() != 2) throw Error::atLine(row.file, row.line, "a row is q,value");
+  if (row.fields.size() != 2) throw Error::atLine(row.file, row.line, "expected a row q,value");
   return {csvNumber(row, 0, "q"), csvNumber(row, 1, "value", kKnotValues)};
 }
 
@@ -84,7 +84,7 @@ std::vector<ProfileKnot> parseProfileKnots(std::string_view text, std::string_vi
     knots.push_back(knot);
     last_line = row.line;
   });
-  if (knots.size() < 2) throw Error::inFile(file, "a profile needs at least two rows q,value");
+  if (knots.size() < 2) throw Error::inFile(file, "a profile requires at least two rows q,value");
   if (const auto fault = faultOfLast(knots.back())) throw Error::atLine(file, last_line, *fault);
   return knots;
 }
@@ -94,7 +94,7 @@ std::vector<ProfileKnot> readProfileKnots(const std::filesystem::path& file) {
 }
 
 void checkProfileKnots(std::span<const ProfileKnot> knots) {
-  if (knots.size() < 2) throw Error("profile: at least two rows are needed");
+  if (knots.size() < 2) throw Error("profile: at least two rows are required");
   for (std::size_t i = 0; i < knots.size(); ++i) {
     if (const auto fault = findFault(knots[i], i == 0 ? nullptr : &knots[i - 1])) {
       throw Error(fmt::format("profile, row {}: {}", i + 1, *fault));

@@ -321,7 +321,7 @@ void check(const mesh::TriangleMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const Index vertex : mesh.triangles[t]) {
       if (vertex >= mesh.positions.size()) {
-        throw Error("triangle tree: triangle " + std::to_string(t) + " names a vertex that does not exist");
+        throw Error("triangle tree: triangle " + std::to_string(t) + " uses a vertex that does not exist");
       }
     }
   }

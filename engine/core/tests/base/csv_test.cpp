@@ -20,7 +20,7 @@ TEST(ForEachCsvRow, SkipsBlanksAndCommentsAndKeepsLineNumbers) {
 
 TEST(ForEachCsvRow, RefusesBinaryGarbageWithItsLine) {
   EXPECT_EQ(support::thrownMessage([] { forEachCsvRow("1,2\n\x01\x02", "t.csv", [](const CsvRow&) {}); }),
-            "t.csv:2: not a text table (byte 0x01)");
+            "t.csv:2: not a text table (byte 0x01); expected comma-separated text");
 }
 
 /// All fields, rows after a slash: "1|2/3|4".
@@ -49,17 +49,18 @@ TEST(ForEachCsvRow, SaysWhyItDoesNotReadATable) {
     return support::thrownMessage([&] { forEachCsvRow(text, "t.csv", [](const CsvRow&) {}); });
   };
   const std::string semicolons =
-      "t.csv:2: fields are separated by semicolons: save the table with commas between fields and points in numbers";
+      "t.csv:2: fields are separated by semicolons; save the table with commas between fields and decimal points";
   EXPECT_EQ(refusal("\nt_s;x_mm\n0;1\n"), semicolons);
   EXPECT_EQ(refusal("\n0,5;1,25\n"), semicolons);
-  EXPECT_EQ(refusal("t_s\tx_mm\n"), "t.csv:1: fields are separated by tabs: save the table with commas between them");
-  EXPECT_EQ(refusal("0 1 2\n"), "t.csv:1: fields are separated by blanks: save the table with commas between them");
-  EXPECT_EQ(refusal("a,b\n1,\"2\n"), "t.csv:2: a quoted field does not end in its line");
-  EXPECT_EQ(refusal("a,b\n1,\"2\"\"3\"\n"), "t.csv:2: a quoted field with more quotes in or behind it cannot be read");
+  EXPECT_EQ(refusal("t_s\tx_mm\n"), "t.csv:1: fields are separated by tabs; save the table with commas between them");
+  EXPECT_EQ(refusal("0 1 2\n"), "t.csv:1: fields are separated by spaces; save the table with commas between them");
+  EXPECT_EQ(refusal("a,b\n1,\"2\n"), "t.csv:2: a quoted field is not closed on its line; add the closing quote");
+  EXPECT_EQ(refusal("a,b\n1,\"2\"\"3\"\n"),
+            "t.csv:2: unexpected text after a quoted field; quotes inside a field are not supported");
   EXPECT_EQ(refusal(std::string_view("\xff\xfe"
                                      "a\0",
                                      4)),
-            "t.csv:1: the text is UTF-16: save it as UTF-8");
+            "t.csv:1: the text is UTF-16; save it as UTF-8");
 }
 
 TEST(CsvNumber, TakesFiniteNumbersOnly) {

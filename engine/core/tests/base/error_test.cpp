@@ -17,11 +17,11 @@ TEST(Error, SaysAllInOneLineAndEachPartByItself) {
 }
 
 TEST(Error, KnowsAFileWithoutALine) {
-  const Error error = Error::inFile("back.obj", "no triangles in it");
-  EXPECT_STREQ(error.what(), "back.obj: no triangles in it");
+  const Error error = Error::inFile("back.obj", "the file has no triangles");
+  EXPECT_STREQ(error.what(), "back.obj: the file has no triangles");
   EXPECT_EQ(error.file(), "back.obj");
   EXPECT_EQ(error.line(), 0u);
-  EXPECT_EQ(error.cause(), "no triangles in it");
+  EXPECT_EQ(error.cause(), "the file has no triangles");
 }
 
 TEST(Error, CountsAByteAsPartOfTheCause) {

@@ -297,7 +297,8 @@ TEST(Trunk, RefusesWhatIsNoBuildAndNamesIt) {
     makeTrunk({.triangles = kFew, .shape = {.body_mass_index = 60}});
     FAIL();
   } catch (const Error& error) {
-    EXPECT_NE(std::string(error.what()).find("body mass index 60.0 kg/m2 lies outside 16.0 to 45.0"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("body mass index 60.0 kg/m2 is out of range: 16.0 to 45.0"),
+              std::string::npos)
         << error.what();
   }
 }

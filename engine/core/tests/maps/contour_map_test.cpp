@@ -122,10 +122,10 @@ TEST(ContourPoints, MistakesAreNamedWithTheirLine) {
   support::expectEach(
       error,
       {{"A,1,2,3,4", "t.csv:1: expected name,x_mm,y_mm and 3 to 64 radii, found 5 fields"},
-       {"A,1,2,3,4,5\nB,1,2,3,4,5,6", "t.csv:2: 4 radii, the rows before have 3"},
+       {"A,1,2,3,4,5\nB,1,2,3,4,5,6", "t.csv:2: 4 radii, but the rows before it have 3"},
        {"A,1,2,3,x,5", "t.csv:1: r1_mm is not a number: 'x'"},
        {"A,1,2,3,4,-5", "t.csv:1: r2_mm = -5 is out of range: 0.001 to 10,000"},
-       {"A,1,inf,3,4,5", "t.csv:1: y_mm is inf"},
+       {"A,1,inf,3,4,5", "t.csv:1: y_mm must be finite, got inf"},
        {"name,x,y,a,b,c", "t.csv:1: expected the header name,x_mm,y_mm,r0_mm,r1_mm,r2_mm, found 'name,x,y,a,b,c'"}});
 }
 

@@ -46,7 +46,7 @@ TEST(KeyPoints, ErrorsNameTheLineAndTheCause) {
        {"P1,0,abc,100,1.2,90\n", "keys.csv:1: y_mm is not a number: 'abc'"},
        {"P1,0,0,-3,1.2,90\n", "keys.csv:1: half_major_mm = -3 is out of range: 0.001 to 10,000"},
        {"P1,0,0,100,0,90\n", "keys.csv:1: major_over_minor = 0 is out of range: 0.001 to 1,000"},
-       {"P1,0,0,100,1,nan\n", "keys.csv:1: direction_deg is nan"},
+       {"P1,0,0,100,1,nan\n", "keys.csv:1: direction_deg must be finite, got nan"},
        {"P1,0,0,100,1,0,-1\n", "keys.csv:1: stiffness_n_per_mm = -1 is out of range: 0 to 1,000"},
        {"P1,1e300,0,100,1,0\n", "keys.csv:1: x_mm = 1e+300 is out of range: -100,000 to 100,000"},
        {"P1,0,0,100,1,1e12\n", "keys.csv:1: direction_deg = 1000000000000 is out of range: -360 to 360"},
@@ -83,12 +83,12 @@ TEST(KeyPoints, AMeasuredTableThatDoesNotFitItsHeaderIsRefused) {
   const std::string header = "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg,peak_mm,drag_deg";
   EXPECT_EQ(messageForTable(header + "\nP1,0,0,100,1,0,18\n"),
             "keys.csv:2: expected the 8 fields of the header, found 7");
-  EXPECT_EQ(messageForTable(header + "\nP1,0,0,100,1,0,18,inf\n"), "keys.csv:2: drag_deg is inf");
+  EXPECT_EQ(messageForTable(header + "\nP1,0,0,100,1,0,18,inf\n"), "keys.csv:2: drag_deg must be finite, got inf");
   EXPECT_EQ(messageForTable(header + "\nP1,0,0,100,1,0,18,up\n"), "keys.csv:2: drag_deg is not a number: 'up'");
-  EXPECT_EQ(messageForTable(header + ",peak_mm\n"), "keys.csv:1: two columns are called peak_mm");
+  EXPECT_EQ(messageForTable(header + ",peak_mm\n"), "keys.csv:1: column peak_mm appears twice");
   EXPECT_EQ(messageForTable(header + ",colour\n"),
-            "keys.csv:1: 'colour' is not a column of key points; behind "
-            "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg may follow stiffness_n_per_mm, "
+            "keys.csv:1: 'colour' is not a column of key points; expected "
+            "name,x_mm,y_mm,half_major_mm,major_over_minor,direction_deg, then any of stiffness_n_per_mm, "
             "half_major_4_mm, peak_mm, tail_p, drift_mm, rim_mm, drag_deg, sd_half_major_mm, sd_ratio, "
             "sd_direction_deg, sd_half_major_4_mm, sd_peak_mm");
 }

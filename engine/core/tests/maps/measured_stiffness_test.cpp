@@ -83,7 +83,7 @@ TEST(ThinPlate, CoincidentPlacesAreAveraged) {
 }
 
 TEST(ThinPlate, RefusesWhatDeterminesNoPlane) {
-  const std::string line = "thin-plate spline: needs three key points that are not on one line";
+  const std::string line = "thin-plate spline: requires three key points that are not on one line";
   const auto error = [](const std::vector<Vec2>& places) {
     return thrownMessage([&] { ThinPlateSpline(places, std::vector<double>(places.size(), 1.0)); });
   };
@@ -92,8 +92,8 @@ TEST(ThinPlate, RefusesWhatDeterminesNoPlane) {
   EXPECT_EQ(error({{0, 0}, {1, 5}}), line);
   EXPECT_EQ(error({{0, 0}, {1, 5}, {2, 10}, {-3, -15}}), line);
   EXPECT_EQ(error({{0, 0}, {1, 5}, {1, 5}}), line);
-  EXPECT_EQ(error({{0, 0}, {1, 5}, {NAN, 10}}), "thin-plate spline: a number is not finite");
-  EXPECT_EQ(error(std::vector<Vec2>(2001, Vec2(0, 0))), "thin-plate spline: 2001 key points, at most 2000");
+  EXPECT_EQ(error({{0, 0}, {1, 5}, {NAN, 10}}), "thin-plate spline: points and values must be finite");
+  EXPECT_EQ(error(std::vector<Vec2>(2001, Vec2(0, 0))), "thin-plate spline: 2001 key points; expected at most 2000");
 }
 
 TEST(Polynomial, ReproducesPolynomialsOfItsDegree) {
@@ -123,11 +123,11 @@ TEST(Polynomial, TooFewPlacesOrTooRegularOnesAreRefused) {
   const auto error = [](const std::vector<Vec2>& places, std::size_t degree) {
     return thrownMessage([&] { PolynomialSurface(places, std::vector<double>(places.size(), 1.0), degree); });
   };
-  EXPECT_EQ(error(scattered(7), 3), "polynomial of degree 3: needs 10 key points, there are 7");
+  EXPECT_EQ(error(scattered(7), 3), "polynomial of degree 3: requires 10 key points, got 7");
   EXPECT_EQ(error({{0, 0}, {1, 1}, {2, 2}}, 1),
-            "polynomial of degree 1: the key points determine 2 of its 3 terms only");
-  EXPECT_EQ(error(scattered(100), 9), "polynomial: degree 9 is above 8");
-  EXPECT_EQ(error({{0, 0}, {1, INFINITY}, {2, 2}}, 1), "polynomial: a number is not finite");
+            "polynomial of degree 1: the key points determine only 2 of its 3 terms; lower the degree or add points");
+  EXPECT_EQ(error(scattered(100), 9), "polynomial: degree 9 is too high; expected at most 8");
+  EXPECT_EQ(error({{0, 0}, {1, INFINITY}, {2, 2}}, 1), "polynomial: points and values must be finite");
 }
 
 TEST(MeasuredStiffness, PointsAreMetAndFadeToTheBasicValue) {
@@ -219,9 +219,9 @@ TEST(MeasuredStiffness, ZeroEverywhereStillPushesBackALittle) {
 
 TEST(MeasuredStiffness, TooFewKeysAreAnError) {
   EXPECT_EQ(thrownMessage([] { MeasuredStiffnessField({}, by(kPolynomial, 1)); }),
-            "polynomial of degree 1: needs 3 key points, there are 0");
+            "polynomial of degree 1: requires 3 key points, got 0");
   EXPECT_EQ(thrownMessage([] { MeasuredStiffnessField({}, by(kThinPlate)); }),
-            "thin-plate spline: needs three key points that are not on one line");
+            "thin-plate spline: requires three key points that are not on one line");
 }
 
 }  // namespace palpate::maps

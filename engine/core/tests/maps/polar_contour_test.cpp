@@ -87,15 +87,18 @@ TEST(PolarContour, EmptyContourHoldsNothingButItsCentre) {
 }
 
 TEST(PolarContour, RefusesWhatIsNoContour) {
-  EXPECT_EQ(support::thrownMessage([] { contourOf(std::vector<double>{1, 2}); }), "contour: 2 radii, needs 3 to 64");
+  EXPECT_EQ(support::thrownMessage([] { contourOf(std::vector<double>{1, 2}); }), "contour: 2 radii; expected 3 to 64");
   EXPECT_EQ(support::thrownMessage([] { contourOf(std::vector<double>(65, 1.0)); }),
-            "contour: 65 radii, needs 3 to 64");
-  EXPECT_EQ(support::thrownMessage([] { contourOf(std::vector<double>{1, 0, 3}); }), "contour: radius 2 of 3 is 0 mm");
+            "contour: 65 radii; expected 3 to 64");
+  EXPECT_EQ(support::thrownMessage([] {
+              contourOf(std::vector<double>{1, 0, 3});
+            }),
+            "contour: radius 2 of 3 must be above 0 mm, got 0");
   EXPECT_EQ(support::thrownMessage([] {
               contourOf(std::vector<double>{1, 2, NAN});
             }),
-            "contour: radius 3 of 3 is nan mm");
-  EXPECT_EQ(support::thrownMessage([] { contourOf(Ellipse{100.0, 1.0}, 2); }), "contour: 2 radii, needs 3 to 64");
+            "contour: radius 3 of 3 must be above 0 mm, got nan");
+  EXPECT_EQ(support::thrownMessage([] { contourOf(Ellipse{100.0, 1.0}, 2); }), "contour: 2 radii; expected 3 to 64");
 }
 
 TEST(PolarContour, LiesUndistortedOnTheTangentPlane) {

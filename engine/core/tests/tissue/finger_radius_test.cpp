@@ -188,7 +188,7 @@ TEST(FingerRadius, ATableIsReadAsItWasWrittenAndAFaultInItNamed) {
   };
   EXPECT_EQ(fault({{8.0, {2.0}, {0.2}}}), "finger 1: radius_mm must differ from indenter_radius_mm, 8");
   EXPECT_EQ(fault({{4.0, {2.0}, {0.2}}, {2.0, {2.0}, {0.2}}}), "finger 2: radius_mm must increase, but 2 follows 4");
-  EXPECT_EQ(fault({{4.0, {}, {}}}), "finger 1: depths_mm: at least one is needed");
+  EXPECT_EQ(fault({{4.0, {}, {}}}), "finger 1: depths_mm: at least one value is required");
   EXPECT_EQ(fault({{4.0, {2.0}, {}}}), "finger 1: force_n has 0 numbers for 1 depths");
   EXPECT_EQ(fault({{4.0, {2.0, 2.0}, {0.2, 0.3}}}), "finger 1: depths_mm must increase");
   EXPECT_EQ(fault({{4.0, {2.0, 3.0}, {0.2, 0.1}}}), "finger 1: force_n must not fall");

@@ -38,7 +38,7 @@ TEST(ForceTable, NamesTheLineThatIsWrong) {
                                    {"0,1\n", "f.csv:1: force_n must be 0 at depth 0"},
                                    {"-2,1\n", "f.csv:1: depth_mm = -2 is out of range: 0 to 1,000,000"},
                                    {"2,x\n", "f.csv:1: force_n is not a number: 'x'"},
-                                   {"2,inf\n", "f.csv:1: force_n is inf"},
+                                   {"2,inf\n", "f.csv:1: force_n must be finite, got inf"},
                                    {"depth_mm,force_n\n", "f.csv: has no row with a depth above 0"}});
 }
 

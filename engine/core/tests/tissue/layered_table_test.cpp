@@ -66,9 +66,9 @@ TEST(LayerStack, NamesTheLayerAndTheNumberThatMakeNoSense) {
   EXPECT_EQ(fault({"fat", 8.0, 10.0}, 0.5), "stack: Poisson's ratio = 0.5 is out of range: 0 to 0.499");
   EXPECT_NE(fault({"f\"at", 8.0, 10.0}).find("layer 2: 'f\"at' is not a name"), std::string::npos);
   EXPECT_NE(fault({std::string(41, 'a'), 8.0, 10.0}).find("is not a name"), std::string::npos);
-  EXPECT_EQ(support::thrownMessage([] { check(LayerStack{}); }), "stack: at least one layer is needed");
+  EXPECT_EQ(support::thrownMessage([] { check(LayerStack{}); }), "stack: at least one layer is required");
   LayerStack many{.layers = std::vector<Layer>(17, Layer{"fat", 8.0, 10.0})};
-  EXPECT_EQ(support::thrownMessage([&] { check(many); }), "stack: more than 16 layers");
+  EXPECT_EQ(support::thrownMessage([&] { check(many); }), "stack: expected at most 16 layers");
   many.layers.pop_back();
   EXPECT_EQ(support::thrownMessage([&] { check(many); }), "no error");
 }
@@ -91,7 +91,7 @@ TEST(ParseLayer, SaysTheForm) {
   for (const char* text : {"", "skin", "skin:2mm", "skin:2mm:150kPa:9", "skin:2mm:150mm", "skin:2kPa:150kPa",
                            "skin::150kPa", "skin:2mm:", "skin:two:150", ":::", "skin:2 3mm:150kPa"}) {
     EXPECT_EQ(support::thrownMessage([&] { parseLayer(text); }),
-              std::string("layer '") + text + "': a layer is NAME:THICKNESS:MODULUS, such as skin:2mm:150kPa");
+              std::string("layer '") + text + "': expected NAME:THICKNESS:MODULUS, e.g. skin:2mm:150kPa");
   }
   EXPECT_EQ(support::thrownMessage([] { parseLayer("skin:900mm:150"); }),
             "layer 'skin:900mm:150': thickness = 900 is out of range: 0.1 to 500 mm");
@@ -102,10 +102,10 @@ TEST(ParseLayer, SaysTheForm) {
 TEST(LayeredTable, NamesWhatMakesNoSense) {
   EXPECT_EQ(errorMessage(smallTable()), "no error");
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(faultAfter([](auto& t) { t.radii_mm = {0.0}; }), "radii_mm: at least two are needed");
+  EXPECT_EQ(faultAfter([](auto& t) { t.radii_mm = {0.0}; }), "radii_mm: at least two values are required");
   EXPECT_EQ(faultAfter([](auto& t) { t.radii_mm[0] = 0.5; }), "radii_mm: the first must be 0, not 0.5");
   EXPECT_EQ(faultAfter([](auto& t) { t.radii_mm[2] = 5.0; }), "radii_mm: must increase, but 5 follows 5");
-  EXPECT_EQ(faultAfter([](auto& t) { t.shapes.clear(); }), "shapes: at least one is needed");
+  EXPECT_EQ(faultAfter([](auto& t) { t.shapes.clear(); }), "shapes: at least one is required");
   EXPECT_EQ(faultAfter([](auto& t) { t.shapes[1].down.pop_back(); }), "shape 2: down has 2 numbers for 3 radii");
   EXPECT_EQ(faultAfter([](auto& t) { t.shapes[1].depth_mm = 2.0; }),
             "shape 2: depth_mm must increase, but 2 follows 2");
@@ -173,7 +173,7 @@ TEST(LayeredTable, IsWrittenAndReadAsAFile) {
   LayeredTable broken = smallTable();
   broken.shapes.clear();
   EXPECT_EQ(support::thrownMessage([&] { writeLayeredTable(folder / "none.json", broken); }),
-            "shapes: at least one is needed");
+            "shapes: at least one is required");
   EXPECT_FALSE(std::filesystem::exists(folder / "none.json"));
   EXPECT_NE(support::thrownMessage([&] { readLayeredTable(folder / "none.json"); }).find("none.json"),
             std::string::npos);

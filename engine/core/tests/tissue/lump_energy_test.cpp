@@ -250,13 +250,14 @@ TEST(LumpShape, IsRefusedWhereItCannotBe) {
   EXPECT_EQ(errorMessage(ball(10.0, 8.0, 5.0)), "no error");
   EXPECT_EQ(
       errorMessage(ball(10.0, 2.0, 5.0)),
-      "lump: depth_mm = 2 is out of range: the top lies at least 0.5 mm under the skin's layer, here 2.5 to 29.0 mm");
+      "lump: depth_mm = 2 is out of range: the top must be at least 0.5 mm below the skin layer, here 2.5 to 29.0 mm");
   EXPECT_EQ(errorMessage(ball(10.0, 30.0, 5.0)),
-            "lump: reaches the bone: its bottom is 40.0 mm deep, the bone 40.0 mm");
+            "lump: reaches the bone: its bottom is at 40.0 mm, the bone at 40.0 mm; make it smaller or shallower");
   EXPECT_EQ(errorMessage(ball(10.0, 8.0, 0.1)), "lump: stiffness_ratio = 0.1 is out of range: 0.2 to 1,000");
   LumpShape lump = ball(10.0, 8.0, 5.0);
   lump.young_kpa = 1.0;
-  EXPECT_EQ(errorMessage(lump), "lump: young_kpa = 1 is out of range: at least 0.2 times the layer's, here 5.4 kPa");
+  EXPECT_EQ(errorMessage(lump),
+            "lump: young_kpa = 1 is out of range: expected at least 0.2 times the layer's, here 5.4 kPa");
   lump = ball(10.0, 8.0, 5.0);
   lump.half_axes_mm[1] = 4.0;
   EXPECT_NE(errorMessage(lump).find("first two half axes must be equal"), std::string::npos);
@@ -266,7 +267,7 @@ TEST(LumpShape, IsRefusedWhereItCannotBe) {
   EXPECT_NE(errorMessage(ball(10.0, 8.0, 5.0), {{{"muscle", 40.0, 27.0}}, 0.48}).find("needs a skin"),
             std::string::npos);
   EXPECT_EQ(support::thrownMessage([] { LumpEnergy(ball(10.0, 8.0, 5.0), placeStack(40.0, 8.0), {}); }),
-            "lump: no field of a press is given");
+            "lump: the press field is missing");
 }
 
 }  // namespace

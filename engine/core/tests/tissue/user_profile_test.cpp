@@ -28,9 +28,9 @@ TEST(UserProfile, NamesTheLineOfEveryMistake) {
                                         {"0,1\n0.9,0\n", "p.csv:2: the last q must be 1, not 0.9"},
                                         {"0,1\n1,0.01\n", "p.csv:2: the value at q = 1 must be 0, not 0.01"},
                                         {"0,1\n1.5,0\n", "p.csv:2: q must not go beyond 1, the rim; it is 1.5"},
-                                        {"0,1\n0.5,0.2,7\n1,0\n", "p.csv:2: a row is q,value"},
-                                        {"0,1\n", "p.csv: a profile needs at least two rows q,value"},
-                                        {"", "p.csv: a profile needs at least two rows q,value"}});
+                                        {"0,1\n0.5,0.2,7\n1,0\n", "p.csv:2: expected a row q,value"},
+                                        {"0,1\n", "p.csv: a profile requires at least two rows q,value"},
+                                        {"", "p.csv: a profile requires at least two rows q,value"}});
   EXPECT_EQ(messageForKnots("0,1\n0.5,many\n1,0\n").substr(0, 8), "p.csv:2:");
   EXPECT_EQ(messageForKnots("0,1\nq,value\n1,0\n").substr(0, 8), "p.csv:2:") << "a header stands in front only";
   EXPECT_EQ(messageForKnots("0,1\n0.5,nan\n1,0\n").substr(0, 8), "p.csv:2:");

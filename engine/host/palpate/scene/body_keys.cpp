@@ -40,7 +40,7 @@ void requireTriangles(const BodySettings& body, const Entry& entry) {
   const std::size_t least = fewestTriangles(body.kind);
   if (body.triangles < least) entry.fail(fmt::format("needs at least {} triangles", least));
   if (trunk && body.triangles % 2 != 0) {
-    entry.fail(fmt::format("a closed body has an even number of triangles: {} or {}, or kind = \"torso\"",
+    entry.fail(fmt::format("triangles must be even for a closed body: {} or {}, or set kind = \"torso\"",
                            body.triangles - 1, body.triangles + 1));
   }
 }

@@ -127,7 +127,7 @@ void forEachForcesRow(std::string_view text, std::string_view name,
       newest.emplace_back(row.finger, row.time_s);
     } else if (row.time_s <= of_finger->second) {
       throw Error::atLine(fields.file, fields.line,
-                          fmt::format("time does not increase: {} s after {} s", row.time_s, of_finger->second));
+                          fmt::format("t_s must increase, but {} s follows {} s", row.time_s, of_finger->second));
     } else {
       of_finger->second = row.time_s;
     }

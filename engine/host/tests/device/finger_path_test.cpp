@@ -78,7 +78,7 @@ TEST_F(PathOf, ATrajectoryOfTooManyTicksNamesItsFile) {
   scene.fingers = {{"a", 0.0, folder_ / "long.csv", Vec2::Zero(), 10.0, {}}};
   const auto world = scene::build(scene);
   EXPECT_EQ(support::thrownMessage([&] { pathsOf(*world); }),
-            (folder_ / "long.csv").string() + ": a trajectory of 80,000,000 ticks is too long: at most 50,000,000");
+            (folder_ / "long.csv").string() + ": the trajectory has 80,000,000 ticks; expected at most 50,000,000");
 }
 
 }  // namespace

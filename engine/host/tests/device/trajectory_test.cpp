@@ -28,16 +28,17 @@ TEST(Trajectory, NamesTheLineAndTheCause) {
        {"0,1,2,3,4\n", "path.csv:1: expected 4 fields (t_s,x_mm,y_mm,z_mm), found 5"},
        {"0,1,2,3\n1,1,two,3\n", "path.csv:2: y_mm is not a number: 'two'"},
        {"0,1,2,3\n1,,2,3\n", "path.csv:2: x_mm is not a number: ''"},
-       {"0,1,2,nan\n", "path.csv:1: z_mm is nan"},
-       {"0,1,2,inf\n", "path.csv:1: z_mm is inf"},
-       {"0,1,2,3\n\n0,1,2,3\n", "path.csv:3: time does not increase: 0 s after 0 s"},
+       {"0,1,2,nan\n", "path.csv:1: z_mm must be finite, got nan"},
+       {"0,1,2,inf\n", "path.csv:1: z_mm must be finite, got inf"},
+       {"0,1,2,3\n\n0,1,2,3\n", "path.csv:3: t_s must increase, but 0 s follows 0 s"},
        {"t_ms,x,y,z\n0,1,2,3\n", "path.csv:1: expected the header t_s,x_mm,y_mm,z_mm or numbers, found 't_ms,x,y,z'"},
        {"0,1,2,2e11\n", "path.csv:1: z_mm = 200000000000 is out of range: -100,000,000,000 to 100,000,000,000"},
        {"5,1,2,3\n60005,1,2,3\n",
-        "path.csv:2: t_s = 60005 is 60000 s after the first row: a trajectory lasts at most 50,000 s"}});
-  EXPECT_EQ(thrownMessage(std::string_view("0,1,2,3\n\0\1\2,,,\n", 15)), "path.csv:2: not a text table (byte 0x00)");
-  EXPECT_EQ(thrownMessage("t_s,x_mm,y_mm,z_mm\n"), "path.csv: empty trajectory: no rows");
-  EXPECT_EQ(thrownMessage(""), "path.csv: empty trajectory: no rows");
+        "path.csv:2: t_s = 60005 is 60000 s after the first row; a trajectory lasts at most 50,000 s"}});
+  EXPECT_EQ(thrownMessage(std::string_view("0,1,2,3\n\0\1\2,,,\n", 15)),
+            "path.csv:2: not a text table (byte 0x00); expected comma-separated text");
+  EXPECT_EQ(thrownMessage("t_s,x_mm,y_mm,z_mm\n"), "path.csv: the trajectory has no rows");
+  EXPECT_EQ(thrownMessage(""), "path.csv: the trajectory has no rows");
 }
 
 TEST(Trajectory, WrittenTextReadsBack) {

@@ -131,18 +131,20 @@ TEST(Arrays, NameWhatIsWrongWithThem) {
   using support::thrownMessage;
   Arrays arrays = arraysOf(zoo::cube());
   arrays.corners[7] = -1;
-  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: corner 1 of triangle 2 is vertex -1, and there are 8");
+  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }),
+            "arrays: corner 1 of triangle 2 is vertex -1, but there are only 8 vertices");
   arrays.corners[7] = 8;
-  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: corner 1 of triangle 2 is vertex 8, and there are 8");
+  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }),
+            "arrays: corner 1 of triangle 2 is vertex 8, but there are only 8 vertices");
   arrays = arraysOf(zoo::cube());
   arrays.coordinates[5] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: z of vertex 1 is not finite");
   arrays = arraysOf(zoo::cube());
   arrays.coordinates.pop_back();
-  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: 23 coordinates are not three a vertex");
+  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: 23 coordinates; expected three per vertex");
   arrays = arraysOf(zoo::cube());
   arrays.corners.push_back(0);
-  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: 37 corners are not three a triangle");
+  EXPECT_EQ(thrownMessage([&] { toMesh(arrays); }), "arrays: 37 corners; expected three per triangle");
   const std::vector<std::uint64_t> huge = {0, 1, std::uint64_t{1} << 40};
   EXPECT_NE(thrownMessage([&] {
               meshFromArrays(std::span<const float>(arrays.coordinates), std::span<const std::uint64_t>(huge));
@@ -150,11 +152,11 @@ TEST(Arrays, NameWhatIsWrongWithThem) {
             std::string::npos);
   const auto cube = zoo::cube();
   EXPECT_EQ(thrownMessage([&] { worldFromMesh(cube, std::vector<double>(7, 1.0)); }),
-            "arrays: 7 stiffnesses for 8 vertices");
+            "arrays: 7 stiffness values for 8 vertices; expected one per vertex");
   std::vector<double> stiffness(8, 1.0);
   stiffness[3] = -2.0;
   EXPECT_EQ(thrownMessage([&] { worldFromMesh(cube, stiffness); }),
-            "arrays: the stiffness of vertex 3 is -2, not a number >= 0");
+            "arrays: the stiffness of vertex 3 is -2; expected a number of at least 0");
 }
 
 }  // namespace

@@ -316,7 +316,7 @@ TEST(GltfNeeds, PointsLinesAndWhatTheSceneDoesNotShowAreTold) {
           "a mesh that the scene does not show (1), meshes that no node shows (1)"});
   triangle = {};
   triangle.primitive += R"(,"mode":1)";
-  EXPECT_EQ(gltfRefusal(triangle.json()), "x: no triangles in it; left out: primitives of lines (1)");
+  EXPECT_EQ(gltfRefusal(triangle.json()), "x: the file has no triangles; left out: primitives of lines (1)");
 }
 
 TEST(GltfNeeds, StripsAndFansAreReadAndHalfATriangleIsRefused) {

@@ -93,7 +93,7 @@ TEST(Load, OtherFormatsOnlyWhenAskedFor) {
   EXPECT_NE(thrownMessage([&] { load(folder / "square.ac"); }).find("not a mesh file"), std::string::npos);
 #ifndef PALPATE_ASSIMP
   EXPECT_EQ(thrownMessage([&] { load(folder / "square.ac", {.allow_foreign = true}); }),
-            (folder / "square.ac").string() + ": this format would need assimp, and palpate was built without assimp");
+            (folder / "square.ac").string() + ": this format requires assimp, and palpate was built without it");
   GTEST_SKIP() << "built without assimp";
 #endif
   EXPECT_NEAR(validate(load(folder / "square.ac", {.allow_foreign = true})).area_mm2, 100.0, 1e-4);
@@ -250,8 +250,9 @@ TEST(LoadErrors, NameTheLineOfATextFile) {
   EXPECT_EQ(refusal("v 0 0 0\n\nf 1 2 3\n", Format::obj), "x:3: the face uses vertex 2, but there are 1 vertices");
   EXPECT_EQ(refusal("v 0 0 0\nf 1 -5 1\n", Format::obj),
             "x:2: the face uses a vertex below the first, but there are 1 vertices");
-  EXPECT_EQ(refusal("once upon a time\n", Format::obj), "x:1: 'once' is not an OBJ keyword, and no face follows");
-  EXPECT_EQ(refusal("v 0 0 0\n", Format::obj), "x: no triangles in it");
+  EXPECT_EQ(refusal("once upon a time\n", Format::obj),
+            "x:1: 'once' is not an OBJ keyword, and the file has no faces after it");
+  EXPECT_EQ(refusal("v 0 0 0\n", Format::obj), "x: the file has no triangles");
   EXPECT_EQ(refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n", Format::off),
             "x:4: the file ends before all its 3 vertices are there");
   EXPECT_EQ(refusal("solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n", Format::stl),

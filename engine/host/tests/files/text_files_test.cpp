@@ -87,7 +87,7 @@ TEST(TextFiles, AreReadWithAnyLineEndsCapitalsAndAByteOrderMark) {
 TEST(TextFiles, InUtf16AreRefusedByThatReason) {
   for (const auto& [extension, format, text] : kFiles) {
     if (format == Format::stl) continue;  // any two bytes may begin a binary one
-    EXPECT_EQ(loadError("\xff\xfe" + text, format), "x:1: the text is UTF-16: save it as UTF-8");
+    EXPECT_EQ(loadError("\xff\xfe" + text, format), "x:1: the text is UTF-16; save it as UTF-8");
   }
 }
 

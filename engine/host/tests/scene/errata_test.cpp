@@ -86,12 +86,12 @@ TEST(Fidelity, SaysWhatItCannotSwitch) {
   EXPECT_EQ(message("title = \"x\"\nfidelity.E99 = \"literal\""),
             "s.toml:2: fidelity.E99 is not an erratum; they are E1 to E34, and \"all\"");
   EXPECT_EQ(message("fidelity.E22 = \"literal\""), "s.toml:1: E22 has no literal form: nothing to switch");
-  EXPECT_EQ(message("fidelity.E24 = \"literal\""), "s.toml:1: E24 is not a switch of fidelity; see strain.kind");
+  EXPECT_EQ(message("fidelity.E24 = \"literal\""), "s.toml:1: fidelity: E24 cannot be switched here; see strain.kind");
   EXPECT_EQ(message("fidelity.E14 = \"printed\""),
             "s.toml:1: fidelity.E14 must be \"corrected\" or \"literal\", not \"printed\"");
   EXPECT_EQ(message("fidelity = 3"), "s.toml:1: fidelity must be a text in quotes, not a number");
   EXPECT_EQ(support::thrownMessage([] { parseFidelity("E14,E15x"); }),
-            "fidelity is \"corrected\", \"literal\" or errata such as E14,E29; not 'E14,E15x'");
+            "fidelity must be \"corrected\", \"literal\" or errata such as E14,E29; got 'E14,E15x'");
 }
 
 TEST(Fidelity, IsWrittenInTheWordsThatAreRead) {

@@ -73,11 +73,11 @@ TEST_F(HdbSource, RefusesFingersThatItCannotServe) {
       parse("[contact]\nsource = \"hdb\"\n[[finger]]\nname = \"thumb\"\nradius_mm = 8\nscript = [{ do = \"press\" }]\n",
             "s.toml");
   EXPECT_EQ(thrownMessage(scene),
-            "contact source \"hdb\" touches with a point: finger 'thumb' must have radius_mm = 0, not 8");
+            "contact source \"hdb\" supports point fingers only: finger 'thumb' must have radius_mm = 0, not 8");
   scene.fingers[0].radius_mm = 0.0;
   EXPECT_EQ(thrownMessage(scene), "no error");
   scene.contact.finger.force_shading = true;
-  EXPECT_EQ(thrownMessage(scene), "contact source \"hdb\" has no force_shading");
+  EXPECT_EQ(thrownMessage(scene), "contact source \"hdb\" does not support force_shading; set it to false");
 }
 
 TEST_F(HdbSource, ARefreshIsAWholeNumberOfTicks) {

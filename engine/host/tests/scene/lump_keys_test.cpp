@@ -121,18 +121,19 @@ TEST_F(LumpsInADome, ALumpIsPlacedUnderTheSkinAndTold) {
 
 TEST_F(LumpsInADome, ThoseThatCannotBeThereAreRefusedWithFileAndLine) {
   EXPECT_EQ(messageOfBuild("[[lump]]\nx_mm = 5\ndepth_mm = 2\n"),
-            "s.toml:8: depth_mm = 2 in [[lump]] is out of range: the top lies at least 0.5 mm under the skin's layer, "
+            "s.toml:8: depth_mm = 2 in [[lump]] is out of range: the top must be at least 0.5 mm below the skin layer, "
             "here 2.5 to 29.0 mm");
   EXPECT_EQ(messageOfBuild("[[lump]]\nname = \"a\"\ndepth_mm = 31\n"),
-            "s.toml:6: lump 'a' reaches the bone: its bottom is 41.0 mm deep, the bone 40.0 mm");
+            "s.toml:6: lump 'a' reaches the bone: its bottom is at 41.0 mm, the bone at 40.0 mm");
   EXPECT_EQ(messageOfBuild("[[lump]]\nname = \"a\"\n[[lump]]\nname = \"b\"\nx_mm = 7\n"),
             "s.toml:8: lumps 'a' and 'b' overlap by 3.2 mm");
   EXPECT_EQ(messageOfBuild("[[lump]]\nx_mm = 500\n"),
             "s.toml:6: lump 'lump1' has no skin over it at x_mm = 500, y_mm = 0");
-  EXPECT_EQ(messageOfBuild("[[lump]]\n", "bare.json"),
-            "s.toml:6: bare.json has no field, which lumps need: palpate tissue solve --field");
+  EXPECT_EQ(
+      messageOfBuild("[[lump]]\n", "bare.json"),
+      "s.toml:6: bare.json has no press field, which lumps require; make the table with palpate tissue solve --field");
   EXPECT_EQ(support::thrownMessage([&] { build(meshScene("[[lump]]\n")); }),
-            (folder_ / "s.toml").string() + ":4: lumps need layered tissue: give [tissue] layer_table");
+            (folder_ / "s.toml").string() + ":4: lumps require layered tissue; set [tissue] layer_table");
   std::string many;
   for (int i = 0; i <= 64; ++i) many += "[[lump]]\n";
   EXPECT_EQ(messageOfBuild(many), "s.toml:70: more than 64 [[lump]]");

@@ -157,7 +157,7 @@ TEST(PlaceCurves, LeaveTheForceAndSaySo) {
   EXPECT_EQ(*with->surface.stiffness_n_per_mm, *without->surface.stiffness_n_per_mm);
   EXPECT_EQ(with->tissue.law, without->tissue.law);
   ASSERT_EQ(with->notes.size(), without->notes.size() + 1);
-  EXPECT_NE(with->notes.back().find("at T6 the skin follows the profiles \"sharp\" (press) and \"cosine\" (drag)"),
+  EXPECT_NE(with->notes.back().find("[[profile]] at T6: the skin follows \"sharp\" (press) and \"cosine\" (drag)"),
             std::string::npos)
       << with->notes.back();
   EXPECT_NE(with->notes.back().find("its force stays"), std::string::npos);
@@ -185,8 +185,7 @@ TEST(PlaceCurves, RefuseWhatACurveCannotBe) {
   Scene scene = smallTrunk(TissueModel::gaussian);
   scene.profiles = {{.press = ProfileKind::logarithm, .at = "T6"}};
   const std::string message = support::thrownMessage([&] { build(scene); });
-  EXPECT_EQ(message.find("[[profile]] press = \"logarithm\": no smooth curve comes nearer to it than 19 %"), 0u)
-      << message;
+  EXPECT_EQ(message.find("[[profile]] press = \"logarithm\": the best smooth curve is 19 % off"), 0u) << message;
   EXPECT_EQ(messageFor("[[profile]]\nat = \"T6\"\npress = \"user\"\n" + kFinger),
             "s.toml:1: [[profile]] press = \"user\" needs press_file");
   EXPECT_EQ(messageFor("[[profile]]\nat = \"T6\"\ndrag_file = \"a.csv\"\n" + kFinger),

@@ -66,7 +66,7 @@ TEST_F(ChannelsOf, AMeshAreCountedWhereTheyAreNumbers) {
 
 TEST_F(ChannelsOf, AMeshThatLacksTheOneAskedForSaysSo) {
   const auto world = build(dome("[view]\ncolours = \"scalar\"\nscalar = \"depth\"\n"));
-  EXPECT_EQ(world->notes.back(), "[view] scalar \"depth\": no such number in the mesh file; it has height, gap");
+  EXPECT_EQ(world->notes.back(), "[view] scalar \"depth\": the mesh file has no such vertex value; it has height, gap");
 }
 
 }  // namespace

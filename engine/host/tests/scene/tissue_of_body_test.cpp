@@ -240,7 +240,7 @@ TEST(LayeredBody, NarrowBoneLiesAsDeepAsItDid) {
       s.lumps[0].diameter_mm = 6.5;
     });
   });
-  EXPECT_NE(refused.find("reaches the bone: its bottom is 9.5 mm deep, the bone 10."), std::string::npos) << refused;
+  EXPECT_NE(refused.find("reaches the bone: its bottom is at 9.5 mm, the bone at 10."), std::string::npos) << refused;
 }
 
 TEST(LayeredBody, SaysWhichFingerIsLargerThanWhatWasSolved) {
@@ -253,7 +253,8 @@ TEST(LayeredBody, SaysWhichFingerIsLargerThanWhatWasSolved) {
     });
     return std::ranges::count_if(world->notes, [](const std::string& note) {
       return note ==
-             "finger 'palm': layers push back on a radius of 30 mm as on one of 24 mm, the nearest that was solved";
+             "finger 'palm': the layered force for a radius of 30 mm is that for 24 mm, the nearest radius that was "
+             "solved";
     });
   };
   EXPECT_EQ(notes(30.0, true), 1);

@@ -57,10 +57,8 @@ TEST_F(WorldOf, ADysfunctionOffTheBodyIsNoted) {
   writeDome("dome.obj");
   const auto notes = [&](const std::string& more) { return build(meshScene("[[dysfunction]]\n" + more))->notes; };
   EXPECT_TRUE(notes("x_mm = 20\n").empty());
-  EXPECT_EQ(
-      notes("x_mm = 400\n"),
-      std::vector<std::string>{"dysfunction 1 at (400, 0) mm changes nothing: it reaches 15 mm, the nearest vertex "
-                               "of the skin is 300 mm away"});
+  EXPECT_EQ(notes("x_mm = 400\n"), std::vector<std::string>{"dysfunction 1 at (400, 0) mm has no effect: its radius is "
+                                                            "15 mm, but the nearest skin vertex is 300 mm away"});
   EXPECT_EQ(notes("x_mm = 1\ny_mm = 1\nradius_mm = 0.5\n").size(), 1u) << "between the vertices";
 }
 

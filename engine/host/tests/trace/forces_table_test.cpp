@@ -47,7 +47,7 @@ TEST(ForcesTable, RefusesWhatIsNone) {
   EXPECT_EQ(message(tableOf({}) + "0,left,1\n"), "t.csv:2: expected 22 fields, found 3");
   EXPECT_EQ(message(tableOf({}) + "0,left,1"), "t.csv:2: the table breaks off here: 3 of 22 fields");
   const Sample sample = makeSample(0, 0, Vec3::Zero(), Vec3::Zero());
-  EXPECT_EQ(message(tableOf({sample, sample})), "t.csv:3: time does not increase: 0 s after 0 s");
+  EXPECT_EQ(message(tableOf({sample, sample})), "t.csv:3: t_s must increase, but 0 s follows 0 s");
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(DotTable, ErrorsNameTheLineAndTheCause) {
             "dots.csv:2: expected the 3 fields of the header, found 4");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nlater,1,2\n"), "dots.csv:2: picture 'later' is neither before nor after");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,x\n"), "dots.csv:2: y_px is not a number: 'x'");
-  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,nan\n"), "dots.csv:2: y_px is nan");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,nan\n"), "dots.csv:2: y_px must be finite, got nan");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1e7,1\n"),
             "dots.csv:2: x_px = 10000000 is out of range: -100,000 to 100,000");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,2\n"), "dots.csv: no dots of the picture after");

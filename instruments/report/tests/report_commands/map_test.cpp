@@ -282,7 +282,7 @@ TEST_F(Map, WrongInputIsOneLine) {
             "palpate: keys.csv: no key point has a stiffness_n_per_mm\n");
   write("keys.csv", "A,0,0,100,1,90,0.5\n");
   EXPECT_EQ(runForError("stiffness hill.obj --keys keys.csv -o e.csv --interpolation polynomial"),
-            "palpate: polynomial of degree 2: needs 6 key points, there are 1\n");
+            "palpate: polynomial of degree 2: requires 6 key points, got 1\n");
   write("keys.csv", "A,0,0,100\n");
   EXPECT_NE(runForError("contours hill.obj --keys keys.csv -o e.csv").find("keys.csv:1: expected name"),
             std::string::npos);

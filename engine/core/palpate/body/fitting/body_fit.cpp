@@ -45,7 +45,8 @@ std::vector<KnownPlace> knownPlaces(const TemplateBody& body, std::vector<NamedP
     const auto& all = body.landmarks();
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const auto& l) { return spokenName(l.name) == place.name; });
-    if (found == all.end()) throw Error("'" + point.name + "': a landmark itself is needed, not a place beside one");
+    if (found == all.end())
+      throw Error("'" + point.name + "': expected the name of a landmark, not of a place at a distance from one");
     point.name = place.name;
     const auto index = static_cast<std::size_t>(found - all.begin());
     if (std::any_of(known.begin(), known.end(), [&](const KnownPlace& k) { return k.landmark == index; })) {
@@ -65,7 +66,7 @@ void requireSpread(std::span<const NamedPoint> points) {
   constexpr double kBesideMm = 15;  // a spine bends by less
   const double across = std::sqrt(Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvalues()[1]);
   if (across < kBesideMm)
-    throw Error("the named points lie on a line: name one beside it, a PSIS or a scapula's angle");
+    throw Error("the named points are on one line; name one off the line, such as a PSIS or a scapula's angle");
 }
 
 void requireOnScan(const mesh::TriangleMesh& scan, std::span<const NamedPoint> points) {
@@ -74,8 +75,8 @@ void requireOnScan(const mesh::TriangleMesh& scan, std::span<const NamedPoint> p
   for (const NamedPoint& point : points) {
     const double off = nearest.find(point.position).distance;
     if (off > kOffScanMm) {
-      throw Error(
-          fmt::format("'{}' lies {:.0f} mm off the scan: are its unit and frame those of the file?", point.name, off));
+      throw Error(fmt::format("'{}' is {:.0f} mm off the scan; check that its unit and axes are those of the file",
+                              point.name, off));
     }
   }
 }
@@ -111,13 +112,13 @@ Alignment alignByPlaces(const TemplateBody& body, const ScanSamples& samples, st
     off = landmarkErrors(body, without.placement, known)[i];
   }
   if (guilty) {
-    throw Error(fmt::format("'{}' contradicts the other points: it lies {:.0f} mm from where they say",
+    throw Error(fmt::format("'{}' is {:.0f} mm from where the other points place it; check its name and coordinates",
                             points[*guilty].name, off));
   }
   std::string names;
   for (const NamedPoint& point : points) names += (names.empty() ? "" : ", ") + point.name;
   throw Error("the named points contradict each other (" + names +
-              "): no body has them so; are left and right as seen from behind, is the unit right?");
+              "); check the unit, and that left and right are as seen from behind");
 }
 
 // ---- how sure
@@ -247,7 +248,7 @@ BestTwo bestPlacements(const TemplateBody& body, const mesh::TriangleMesh& scan,
     if (i == 0) try_from(start, {});  // the shape's own answer
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.misfit < b.misfit; });
-  if (found.empty()) throw Error("the scan has no surface to go by");
+  if (found.empty()) throw Error("the scan has no usable surface");
   BestTwo result{found.front(), std::nullopt};
   for (const Alignment& one : found) {
     if (!result.other && apart(body, one.placement, result.best.placement) > kAnotherPlaceMm) result.other = one;
@@ -261,7 +262,7 @@ BodyFit fitByShape(const TemplateBody& body, const mesh::TriangleMesh& scan, con
   const std::vector<double> misses = landmarkErrors(body, placements.best.placement, known);
   const auto worst = std::max_element(misses.begin(), misses.end());
   if (worst != misses.end() && *worst > kContradictsMm) {
-    throw Error(fmt::format("'{}' contradicts the shape of the scan by {:.0f} mm: name {} points or more",
+    throw Error(fmt::format("'{}' differs from the shape of the scan by {:.0f} mm; name at least {} points",
                             named[static_cast<std::size_t>(worst - misses.begin())].name, *worst, kFewestNamedPoints));
   }
   return makeBodyFit(body, samples, placements.best, placements.other, known);
@@ -282,7 +283,7 @@ BodyFit fitByPoints(const TemplateBody& body, const ScanSamples& samples, std::s
 BodyFit fitBody(const TemplateBody& body, const mesh::TriangleMesh& scan, std::span<const NamedPoint> points,
                 const Progress& progress) {
   const ScanSamples samples = sampleScan(scan, kSamples);
-  if (samples.points.empty()) throw Error("the scan has no surface to go by");
+  if (samples.points.empty()) throw Error("the scan has no usable surface");
   std::vector<NamedPoint> named(points.begin(), points.end());
   const std::vector<KnownPlace> known = knownPlaces(body, named);
   requireOnScan(scan, named);

@@ -106,7 +106,8 @@ void requireSameScan(const BodyFit& fit, const ScannedSkin& skin) {
     ++asked;
     if (!(std::abs(skin.near(move.place + move.by, kUnderMm).out) < kMovedMm)) ++moved;
   }
-  if (2 * moved > asked) throw Error("the fit belongs to another scan, or to this one in another unit or place");
+  if (2 * moved > asked)
+    throw Error("the fit does not match this scan; it was made from another scan, or another unit or position of it");
 }
 
 }  // namespace
@@ -122,7 +123,7 @@ FittedBody fittedBody(const TemplateBody& body, const BodyFit& fit, const mesh::
     for (Vec3& p : bone.mesh.positions) p = onto(p);
     if (pushUnder(skin, bone)) result.bones.push_back(std::move(bone));
   }
-  if (result.bones.empty()) throw Error("the fit puts no bone under this mesh: it belongs to another scan");
+  if (result.bones.empty()) throw Error("the fit puts no bone under this mesh; it was made from another scan");
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     SkinLandmark& landmark = landmarks[i];
     const ScannedSkin::Place place = skin.near(onto(landmark.position), kOntoMm);

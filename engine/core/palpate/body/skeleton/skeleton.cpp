@@ -118,13 +118,13 @@ std::vector<std::size_t> shares(const std::vector<Plan>& list, std::size_t total
 }
 
 void check(const SkeletonSettings& settings) {
-  if (settings.triangles % 2 != 0) throw Error("closed bones have an even number of triangles in all");
+  if (settings.triangles % 2 != 0) throw Error("bones: the number of triangles must be even (closed surfaces)");
   if (settings.triangles < kFewestSkeletonTriangles) {
     throw Error("the skeleton needs at least " + std::to_string(kFewestSkeletonTriangles) + " triangles");
   }
   if (settings.cell_mm != 0.0 &&
       !(settings.cell_mm >= kMinSkeletonCellMm && settings.cell_mm <= kLargestSkeletonCellMm)) {
-    throw Error("the grid of the bones must lie between 0.5 and 3 mm");
+    throw Error("bones: the grid cell must be 0.5 to 3 mm");
   }
 }
 
@@ -133,7 +133,8 @@ mesh::TriangleMesh drawn(const Plan& plan, std::size_t triangles, double cell_mm
   mesh::DecimateOptions options;
   options.mirrored_at_x0 = plan.midline;
   const std::size_t wanted = plan.midline ? triangles / 2 : triangles;
-  if (shape.triangles.size() < wanted) throw Error("too many triangles for this grid of the bones");
+  if (shape.triangles.size() < wanted)
+    throw Error("bones: too many triangles for this grid cell; use fewer, or a smaller cell");
   shape = mesh::decimate(std::move(shape), wanted, options);
   if (plan.midline) shape = withMirrorImage(std::move(shape));
   for (Vec3& p : shape.positions) p = plan.frame * p;

@@ -323,7 +323,7 @@ void makeExact(ChangingMesh& mesh, std::size_t triangles) {
         --left;
       }
     }
-    if (mesh.triangles() == before) throw Error("the body cannot be made of so few triangles");
+    if (mesh.triangles() == before) throw Error("trunk: too few triangles for this body; use more");
   }
 }
 
@@ -404,7 +404,7 @@ void splitLongest(mesh::TriangleMesh& mesh, const OntoSurface& onto, std::size_t
     splitSide(mesh, onto, side.low, side.high, left, right);
     --count;
   }
-  if (count != 0) throw Error("the body cannot be made of exactly so many triangles");
+  if (count != 0) throw Error("trunk: this exact number of triangles cannot be reached; use a slightly different one");
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ constexpr double kRoughCellMm = 14;              // finer than armpits, folds an
 
 std::size_t boneTriangles(const TrunkSettings& settings) {
   if (settings.triangles % 2 != 0) {
-    throw Error("a closed body has an even number of triangles: " + std::to_string(settings.triangles - 1) + " or " +
-                std::to_string(settings.triangles + 1));
+    throw Error("trunk: the number of triangles must be even (closed surface): " +
+                std::to_string(settings.triangles - 1) + " or " + std::to_string(settings.triangles + 1));
   }
   if (settings.triangles < kFewestTrunkTriangles) {
     throw Error("a trunk needs at least " + std::to_string(kFewestTrunkTriangles) + " triangles");
@@ -42,7 +42,7 @@ std::size_t boneTriangles(const TrunkSettings& settings) {
     return std::clamp<std::size_t>(share / 2 * 2, kFewestSkeletonTriangles, kMaxOfTrunkBones);
   }
   if (settings.bone_triangles + kFewestTrunkSkinTriangles > settings.triangles)
-    throw Error("too few triangles are left for the skin");
+    throw Error("torso: the bones leave too few triangles for the skin; use fewer for the bones, or more in total");
   return settings.bone_triangles;
 }
 

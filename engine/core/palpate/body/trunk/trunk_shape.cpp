@@ -21,7 +21,7 @@ void requireRange(const char* name, double value, double low, double high, const
   const auto plain = [](double number) {
     return std::to_string(number).substr(0, std::to_string(number).find('.') + 2);
   };
-  throw Error(std::string(name) + " " + plain(value) + unit + " lies outside " + plain(low) + " to " + plain(high));
+  throw Error(std::string(name) + " " + plain(value) + unit + " is out of range: " + plain(low) + " to " + plain(high));
 }
 
 /// A smooth hill over a place of the fitted body: 1 at its middle, 1/e at its half widths.

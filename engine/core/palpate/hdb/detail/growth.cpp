@@ -64,7 +64,7 @@ Index addChildren(Growth& growth, Index node, const std::vector<std::uint8_t>& s
 
 void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t entry_count, double share) {
   if (std::uint64_t{first_entry} + entry_count > kNoIndex)
-    throw Error("partition: too many entries; take case C or a larger threshold");
+    throw Error("partition: too many entries; use assign = \"C\" or a larger threshold");
   growth.nodes[node].is_leaf = true;
   growth.nodes[node].first_entry = static_cast<Index>(first_entry);
   growth.nodes[node].entry_count = static_cast<Index>(entry_count);

@@ -63,7 +63,7 @@ TriangleMesh read(const MeshFile& file, Format format, VertexChannels* channels)
 
 /// The default until a host installs a reader (read_foreign.cpp).
 TriangleMesh refuseForeign(const MeshFile& file, const std::string&) {
-  throw Error::inFile(file.name, "this format would need assimp, and palpate was built without assimp");
+  throw Error::inFile(file.name, "this format requires assimp, and palpate was built without it");
 }
 
 ForeignReader& foreignReader() {
@@ -82,7 +82,7 @@ TriangleMesh loadChecked(const MeshFile& file, Format format, VertexChannels* ch
   TriangleMesh mesh = read(file, format, channels);
   if (mesh.triangles.empty()) {
     const std::string left_out = file.passed_over.leftOut();
-    throw Error::inFile(file.name, "no triangles in it" + (left_out.empty() ? "" : "; " + left_out));
+    throw Error::inFile(file.name, "the file has no triangles" + (left_out.empty() ? "" : "; " + left_out));
   }
   // STL welds while it reads.
   const bool repeats_vertices = isGltf(format) || format == Format::foreign;
@@ -116,7 +116,7 @@ Format detectFormat(const std::filesystem::path& file, std::string_view bytes, b
   if (const auto format = formatByContent(bytes)) return *format;
   if (const auto format = formatByExtension(file)) return *format;
   if (allow_foreign) return Format::foreign;
-  throw Error::inFile(file.string(), "not a mesh file that can be read; these can: obj, stl, ply, off, gltf, glb");
+  throw Error::inFile(file.string(), "not a supported mesh file; supported are obj, stl, ply, off, gltf and glb");
 }
 
 void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm) {
@@ -127,7 +127,7 @@ void toMillimetres(TriangleMesh& mesh, Format format, double unit_mm) {
 
 void checkTriangleCount(std::size_t triangles, std::string_view name) {
   constexpr std::size_t kMax = std::numeric_limits<Index>::max() / 3;
-  if (triangles >= kMax) throw Error::inFile(name, fmt::format("more than {} triangles", kMax));
+  if (triangles >= kMax) throw Error::inFile(name, fmt::format("too many triangles; expected at most {}", kMax));
 }
 
 TriangleMesh load(const std::filesystem::path& file, const LoadOptions& options, const Progress& progress) {

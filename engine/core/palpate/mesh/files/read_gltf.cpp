@@ -318,7 +318,7 @@ class GltfReader {
   void addPrimitive(const Primitive& primitive, const std::vector<Vec3>& positions, bool mirrored) {
     spend(countItems(primitive), primitive.where);
     const std::size_t first = mesh_.positions.size();
-    if (first + positions.size() >= kNoIndex) primitive.where.fail("more vertices than 32-bit indices can name");
+    if (first + positions.size() >= kNoIndex) primitive.where.fail("too many vertices for 32-bit indices");
     mesh_.positions.insert(mesh_.positions.end(), positions.begin(), positions.end());
     if (places_ != nullptr) places_->insert(places_->end(), primitive.places.begin(), primitive.places.end());
     addTriangles(primitive, static_cast<Index>(first), mirrored);

@@ -90,7 +90,7 @@ class ObjReader {
     Vec3 position;
     for (double& value : position) value = text_.number(text_.word(), "a coordinate");
     mesh_.positions.push_back(position);
-    if (mesh_.positions.size() >= kNoIndex) text_.fail("more vertices than 32-bit indices can name");
+    if (mesh_.positions.size() >= kNoIndex) text_.fail("too many vertices for 32-bit indices");
     std::size_t more = 0;
     bool are_numbers = true;
     for (auto word = text_.word(); !word.empty(); word = text_.word(), ++more) {
@@ -172,16 +172,17 @@ class ObjReader {
     std::string names;
     for (const auto& [name, order] : groups_) names += (names.empty() ? "" : ", ") + shown(name);
     throw Error::inFile(file_.name, fmt::format("no group or object '{}'; {}", file_.options.group,
-                                                names.empty() ? "the file names none" : "there are: " + names));
+                                                names.empty() ? "the file has none" : "there are: " + names));
   }
 
   [[noreturn]] void failForNoFace() const {
     if (!file_.options.group.empty()) {
       throw Error::inFile(file_.name, fmt::format("the group or object '{}' has no faces", file_.options.group));
     }
-    if (unknown_line_ == 0) throw Error::inFile(file_.name, "no triangles in it");
-    throw Error::atLine(file_.name, unknown_line_,
-                        fmt::format("'{}' is not an OBJ keyword, and no face follows", shown(first_unknown_)));
+    if (unknown_line_ == 0) throw Error::inFile(file_.name, "the file has no triangles");
+    throw Error::atLine(
+        file_.name, unknown_line_,
+        fmt::format("'{}' is not an OBJ keyword, and the file has no faces after it", shown(first_unknown_)));
   }
 
   static constexpr long long kHighest = 0xfffffffe;

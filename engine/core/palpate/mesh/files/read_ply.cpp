@@ -362,7 +362,7 @@ class BodyReader {
     std::array<std::size_t, 3> place{};
     for (std::size_t axis = 0; axis < 3; ++axis)
       place[axis] = columnOf(element, std::string_view("xyz").substr(axis, 1));
-    if (element.count >= kNoIndex) values_.fail("more vertices than 32-bit indices can name");
+    if (element.count >= kNoIndex) values_.fail("too many vertices for 32-bit indices");
     mesh_.positions.reserve(static_cast<std::size_t>(element.count));
     std::vector<double> row(element.properties.size());
     const bool wanted = channels_ != nullptr && vertex_elements_++ == 0;

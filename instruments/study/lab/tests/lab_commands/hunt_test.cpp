@@ -137,10 +137,9 @@ TEST_F(HuntCommand, WrongUsageIsOneLineAndExitCodeTwo) {
   writeFile(folder / "torn.ply", "ply\nformat ascii 1.0\nelement vertex\n");
   for (const auto& [arguments, message] :
        {std::pair("--mesh gone.stl", "gone.stl: no such file"), std::pair("--mesh torn.ply", "torn.ply"),
-        std::pair("--mesh flat.obj", "flat.obj: the mesh has no triangle that can be felt"),
-        std::pair("--ticks 0", "--ticks"), std::pair("--radius-mm -1", "--radius-mm"),
-        std::pair("--scale 0", "--scale"), std::pair("--ticks 5 --seconds 5", "--seconds"),
-        std::pair("--replay gone", "gone/note.txt")}) {
+        std::pair("--mesh flat.obj", "flat.obj: the mesh has no usable triangles"), std::pair("--ticks 0", "--ticks"),
+        std::pair("--radius-mm -1", "--radius-mm"), std::pair("--scale 0", "--scale"),
+        std::pair("--ticks 5 --seconds 5", "--seconds"), std::pair("--replay gone", "gone/note.txt")}) {
     const auto end = palpate(std::string("study hunt ") + arguments);
     EXPECT_EQ(end.exit_code, 2) << arguments;
     EXPECT_NE(end.err.find(message), std::string::npos) << end.err;

@@ -50,7 +50,8 @@ TEST_F(LumpCommand, SolvesAPressOverALumpAndNoFieldUnlessAsked) {
   const auto without = nlohmann::json::parse(none.out);
   EXPECT_GT(with["force_n"][1].get<double>(), 1.1 * without["force_n"][1].get<double>());
   EXPECT_GT(with["pressure_kpa"][1][0].get<double>(), 1.3 * without["pressure_kpa"][1][0].get<double>());
-  refuses("lump show --table bare.json", "bare.json has no field, which lumps need: palpate tissue solve --field");
+  refuses("lump show --table bare.json",
+          "bare.json has no press field, which lumps require; make the table with palpate tissue solve --field");
 }
 
 TEST_F(LumpCommand, KnowsFlatLumps) {
@@ -78,7 +79,7 @@ TEST_F(LumpCommand, KnowsFlatLumps) {
 TEST_F(LumpCommand, RefusesInOneLine) {
   refuses("tissue solve " + layers_ + "--lump 6mm:3mm", "a lump is DIAMETER:DEPTH:MODULUS, such as 10mm:6mm:60kPa");
   refuses("tissue solve " + layers_ + "--lump 6mm:3mm:2s", "a lump is DIAMETER:DEPTH:MODULUS");
-  refuses("lump show --depth-mm 2", "the top lies at least 0.5 mm under the skin's layer");
+  refuses("lump show --depth-mm 2", "the top must be at least 0.5 mm below the skin layer");
   refuses("lump show --depth-mm 8 --thickness-mm 12", "reaches the bone");
   refuses("lump show --ratio 3 --young-kpa 30", "not both");
   refuses("lump check", "give --cases FILE or --solve SEED");

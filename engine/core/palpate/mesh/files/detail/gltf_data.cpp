@@ -175,7 +175,8 @@ GltfParts splitGltf(const MeshFile& file) {
   GltfParts parts;
   parts.is_glb = true;
   ByteReader bytes(file.bytes, file.name, 4);
-  if (bytes.number<std::uint32_t>() != 2) throw Error::atByte(file.name, 4, "only version 2 of GLB can be read");
+  if (bytes.number<std::uint32_t>() != 2)
+    throw Error::atByte(file.name, 4, "GLB version is not supported; expected version 2");
   const auto promised = bytes.number<std::uint32_t>();
   if (promised > file.bytes.size() || promised < kGlbHeaderBytes) {
     throw Error::atByte(file.name, 8,

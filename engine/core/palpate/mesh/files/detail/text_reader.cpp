@@ -24,7 +24,7 @@ bool isLineEnd(char c) { return c == '\n' || c == '\r'; }
 
 TextReader::TextReader(std::string_view text, std::string_view name, const Progress& progress, TextRules rules)
     : text_(text), name_(name), progress_(progress), rules_(rules) {
-  if (isUtf16(text)) fail("the text is UTF-16: save it as UTF-8");
+  if (isUtf16(text)) fail("the text is UTF-16; save it as UTF-8");
   position_ = text.size() - withoutByteOrderMark(text).size();
 }
 
