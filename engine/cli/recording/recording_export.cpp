@@ -287,7 +287,7 @@ std::shared_ptr<const scene::World> worldToSee(trace::RecordingReader& recording
 
 std::vector<servo::TickSamples> recordedFrames(trace::RecordingReader& recording, const std::vector<double>& times_s) {
   const trace::RecordingFacts& facts = recording.facts();
-  if (facts.samples == 0) throw Error("the recording holds no tick");
+  if (facts.samples == 0) throw Error("the recording has no ticks");
   const double rate = facts.header.ticks_per_s;
   for (const double time_s : {times_s.front(), times_s.back()}) {
     if (tickAt(time_s, facts) >= facts.first_tick && tickAt(time_s, facts) <= facts.last_tick) continue;

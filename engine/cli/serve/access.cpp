@@ -72,7 +72,7 @@ std::string faultOfToken(std::string_view token) {
 
 std::string makeToken() {
   std::array<unsigned char, 20> random{};
-  if (!system::fillWithRandom(random)) throw Error("the system gives no random numbers");
+  if (!system::fillWithRandom(random)) throw Error("the system's random number generator is unavailable");
   std::string token;
   for (const unsigned char byte : random) token += fmt::format("{:02x}", byte);
   return token;

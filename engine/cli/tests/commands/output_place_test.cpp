@@ -52,7 +52,7 @@ TEST(OutputPlace, WhatCannotBeIsToldWithItsReason) {
   std::ofstream(folder / "file") << "a";
   const std::string under = (folder / "file/under").string();
   EXPECT_EQ(support::thrownMessage([&] { requireWritableFolder(under); }),
-            under + ": cannot be made a folder for results: Not a directory");
+            under + ": cannot be created as a results folder: Not a directory");
   EXPECT_EQ(support::thrownMessage([&] { requireWritableFile(under); }),
             under + ": cannot be written: Not a directory");
 }
@@ -70,9 +70,9 @@ TEST(OutputPlace, CommandsSayItBeforeTheirWork) {
             "file/under/a.ply: cannot be written: Not a directory"},
         Row{"render -o file/under/a.png", "file/under/a.png: cannot be written: Not a directory"},
         Row{"recording new --out file/under/a.session", "file/under/a.session: cannot be written: Not a directory"},
-        Row{"simulate --out file/under", "file/under: cannot be made a folder for results: Not a directory"},
-        Row{"measure synthesize -o file/under", "file/under: cannot be made a folder for results: Not a directory"},
-        Row{"study all -o file/under", "file/under: cannot be made a folder for results: Not a directory"}}) {
+        Row{"simulate --out file/under", "file/under: cannot be created as a results folder: Not a directory"},
+        Row{"measure synthesize -o file/under", "file/under: cannot be created as a results folder: Not a directory"},
+        Row{"study all -o file/under", "file/under: cannot be created as a results folder: Not a directory"}}) {
     if (!support::hasProgramOf(command)) continue;
     const auto result = support::runPalpate(command, folder.path());
     EXPECT_EQ(result.exit_code, 2) << command;

@@ -294,7 +294,7 @@ TEST_F(RecordingTools, OneFileThatWasMadeToHangItsReaderDoesNotStopTheList) {
           "SELECT i AS position, 'tick' AS name, 'u64' AS type FROM n WHERE i < 0");
   const CommandResult list = palpate("recording list .");
   EXPECT_EQ(list.exit_code, 0);
-  EXPECT_NE(list.out.find("a.session: holds the view 'columns'"), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("a.session: contains the view 'columns'"), std::string::npos) << list.out;
   EXPECT_NE(list.out.find("run.session  "), std::string::npos) << list.out;
   EXPECT_EQ(palpate("recording info a.session").exit_code, 2);
   EXPECT_EQ(palpate("recording repair a.session -o sound.session").exit_code, 0) << "which reads no SQL";

@@ -75,7 +75,7 @@ TEST_F(Render, DrawsASceneThatNobodyTouchesAtRestOnly) {
   ASSERT_EQ(render("--no-labels -o rest.png").exit_code, 0);
   EXPECT_EQ(image("alone.png").pixels, image("rest.png").pixels);
   EXPECT_EQ(alone("--pose 0,0,15 -o pressed.png").exit_code, 0);
-  EXPECT_EQ(alone("--at 1 -o b.png").err, "palpate: alone.toml: has no [[finger]]: nobody would touch anything\n");
+  EXPECT_EQ(alone("--at 1 -o b.png").err, "palpate: alone.toml: has no [[finger]]; add at least one\n");
 }
 
 TEST_F(Render, ShowsTheMomentThatIsAskedFor) {

@@ -250,7 +250,7 @@ TEST_F(Signals, ATableThatCannotBeReplayedOpensNoWindow) {
   std::ofstream(folder_ / "other.csv") << "a,b\n1,2\n";
   const auto other = support::runPalpate("run --replay other.csv", folder_.path());
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_EQ(other.err, "palpate: other.csv:1: must be a table of forces: it begins with other columns\n");
+  EXPECT_EQ(other.err, "palpate: other.csv:1: must be a table of forces; its columns differ\n");
 }
 
 TEST_F(Signals, ARecordingIsFinishedAndProven) {

@@ -321,7 +321,7 @@ TEST_F(Simulate, RefusesWrongInputInOneLineWithExitCodeTwo) {
   EXPECT_NE(runForError("--mesh path.csv").find("palpate: path.csv: "), std::string::npos);
   write("file", "");
   EXPECT_EQ(runForError("--mesh dome.obj --out file"),
-            "palpate: file: cannot be made a folder for results: Not a directory\n");
+            "palpate: file: cannot be created as a results folder: Not a directory\n");
   EXPECT_EQ(runForError("--mesh dome.obj --unit furlong"),
             "palpate: --unit: 'furlong' is neither one of auto, mm, cm, dm, m, in nor a number of millimetres (see "
             "--help)\n");

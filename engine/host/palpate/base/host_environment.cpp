@@ -39,7 +39,7 @@ std::size_t sizeOfReadableFile(const std::filesystem::path& file, std::uint64_t 
   if (error) throw Error::inFile(file.string(), error.message());
   const std::uint64_t limit = std::min<std::uint64_t>(max_bytes, std::numeric_limits<std::size_t>::max());
   if (size > limit) {
-    throw Error::inFile(file.string(), fmt::format("{} bytes is more than the limit of {}", size, limit));
+    throw Error::inFile(file.string(), fmt::format("the file has {} bytes; expected at most {}", size, limit));
   }
   return static_cast<std::size_t>(size);
 }

@@ -29,7 +29,7 @@ MadeFolder::MadeFolder(const fs::path& folder, std::error_code& error) {
 MadeFolder::MadeFolder(const fs::path& folder) {
   std::error_code error;
   MadeFolder made(folder, error);
-  if (error) throw Error::inFile(folder.string(), "cannot be made a folder for results: " + error.message());
+  if (error) throw Error::inFile(folder.string(), "cannot be created as a results folder: " + error.message());
   made_.swap(made.made_);
 }
 

@@ -41,7 +41,7 @@ void refuseUntrustedLinks(fs::path target) {
   std::error_code error;
   for (int i = 0; i < kMaxLinks; ++i) {
     if (const fs::path link = untrustedLink(target); !link.empty()) {
-      throw Error::inFile(link.string(), "is a link in a folder that everybody may write to: name what it leads to");
+      throw Error::inFile(link.string(), "is a link in a world-writable folder; name the file that it points to");
     }
     if (!fs::is_symlink(fs::symlink_status(target, error))) return;
     const fs::path next = fs::read_symlink(target, error);

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void failWith(const fs::path& folder, int reason) {
-  throw Error::inFile(folder.string(), "cannot be made: " + std::generic_category().message(reason));
+  throw Error::inFile(folder.string(), "cannot be created: " + std::generic_category().message(reason));
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void makePrivateFolder(const fs::path& folder, ExistingFolder existing) {
 
 void requirePrivateFolder(const fs::path& folder) {
   if (system::isOwnFolder(folder) && system::isClosedToOthers(folder)) return;
-  throw Error::inFile(folder.string(), "must be a folder of this user alone (mode 700, no link)");
+  throw Error::inFile(folder.string(), "must be a folder that only this user can access (mode 700, not a link)");
 }
 
 void requireClosedFile(const fs::path& file, OtherReaders others) {
@@ -44,7 +44,7 @@ void requireClosedFile(const fs::path& file, OtherReaders others) {
   }
   const bool closed =
       others == OtherReaders::group ? system::isClosedToStrangers(file) : system::isClosedToOthers(file);
-  if (!closed) throw Error::inFile(file.string(), "others may read or write it: " + system::howToClose(file));
+  if (!closed) throw Error::inFile(file.string(), "other users can read or write it: " + system::howToClose(file));
 }
 
 fs::path newTemporaryFolder(std::string_view stem) {

@@ -49,7 +49,7 @@ void applyMask(char* bytes, std::size_t count, const char* mask) {
 template <std::size_t N>
 std::array<unsigned char, N> randomBytes() {
   std::array<unsigned char, N> bytes{};
-  if (!system::fillWithRandom(bytes)) throw Error("the system gives no random numbers");
+  if (!system::fillWithRandom(bytes)) throw Error("the system's random number generator is unavailable");
   return bytes;
 }
 

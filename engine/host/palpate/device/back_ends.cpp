@@ -63,8 +63,8 @@ DeviceName deviceNamedInFile(std::string_view words) {
   DeviceName name = deviceNamed(words);
   if (name.back_end->name == "plugin" && !isPluginOfFolders(name.which)) {
     throw Error(
-        fmt::format("'{}' is not opened: a file may name a plugin only as it lies in a folder of "
-                    "PALPATE_DEVICE_PLUGINS; open it with --device if you trust it",
+        fmt::format("'{}' was not opened: files may name only plugins in a folder of PALPATE_DEVICE_PLUGINS; open it "
+                    "with --device if you trust it",
                     oneLine(words)));
   }
   return name;
@@ -77,10 +77,10 @@ Device openNamed(std::string_view words, OpenOptions options) {
   const auto since = Clock::now();
   while (!device.read_tip(0).allFinite()) {
     if (device.exchange) device.exchange();
-    if (options.give_up != nullptr && options.give_up->load()) throw Error(device.name + ": given up");
+    if (options.give_up != nullptr && options.give_up->load()) throw Error(device.name + ": cancelled");
     if (secondsSince(since) > name.back_end->pose_wait_s) {
       const std::string why = device.explain ? device.explain() : std::string();
-      throw Error(fmt::format("{}: no position after {} s{}{}", device.name, name.back_end->pose_wait_s,
+      throw Error(fmt::format("{}: no position received within {} s{}{}", device.name, name.back_end->pose_wait_s,
                               why.empty() ? "" : ": ", why));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -88,7 +88,7 @@ class Bundle {
 
   BundleReport write(const fs::path& target, const Progress& progress) {
     if (const std::vector<fs::path> files = outside(); !files.empty()) {
-      throw Error::inFile(files.front().string(), "is outside of what may be packed");
+      throw Error::inFile(files.front().string(), "is outside the folders that may be packed");
     }
     trace::RecordingHeader header = recording_.facts().header;
     for (std::string* text : {&header.machine, &header.notes, &header.tags}) hide(*text);
@@ -181,7 +181,7 @@ class Bundle {
     std::error_code error;
     if (!named.is_needed && !fs::exists(file, error)) {
       report_.notes.push_back(
-          fmt::format("{} is not there, and is not needed to feel the recording again", file.filename().string()));
+          fmt::format("{} is missing; it is not needed to replay the recording", file.filename().string()));
       return name;
     }
     add(file, name);
@@ -199,7 +199,7 @@ class Bundle {
       replaceWord(copy, word, with);
       if (copy == bytes) continue;
       report_.notes.push_back(
-          fmt::format("{} itself holds '{}': look into it before you give it away", name.filename().string(), word));
+          fmt::format("{} contains '{}'; check the file before you share it", name.filename().string(), word));
     }
     writer_->add(trace::RecordingAttachment{recording_.facts().first_tick, std::string(trace::kCarriedFile),
                                             name.generic_string(), "application/octet-stream", bytes});
@@ -242,7 +242,7 @@ CarriedFiles::CarriedFiles(trace::RecordingReader& recording) {
       if (attachment.kind != trace::kCarriedFile) return;
       const fs::path name = pathOf(attachment.name);
       if (!isWithin(name)) {
-        throw Error(fmt::format("the recording carries a file named '{}', which would lie outside of its folder",
+        throw Error(fmt::format("the recording contains a file named '{}', which would be written outside its folder",
                                 attachment.name));
       }
       if (folder_.empty()) folder_ = newTemporaryFolder("palpate-session");

@@ -119,7 +119,7 @@ std::vector<std::string> ReplayProof::notes() const {
   for (const Finger& finger : fingers_) {
     if (finger.unproven == 0) continue;
     notes.push_back(fmt::format(
-        "{}: {} samples from {:.3f} s on cannot be proven: time before them is missing and the finger had not rested",
+        "{}: {} samples from {:.3f} s on cannot be verified: earlier ticks are missing and the finger was in contact",
         finger.name, finger.unproven, static_cast<double>(finger.since) / ticks_per_s_));
   }
   return notes;
@@ -206,7 +206,7 @@ class Replay {
   void enter(std::uint32_t number) {
     const trace::RecordingWorld recorded = recording_.world(number);
     if (recorded.fingers.size() != fingers_.size()) {
-      throw Error(fmt::format("world {} of the recording has settings for {} fingers instead of {}", number,
+      throw Error(fmt::format("world {} of the recording has settings for {} fingers; expected {}", number,
                               recorded.fingers.size(), fingers_.size()));
     }
     const auto started = Clock::now();

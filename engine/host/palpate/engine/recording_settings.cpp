@@ -96,7 +96,8 @@ Struct readFrom(const std::string& text, std::span<const Field<Struct>> fields) 
     const auto value = equals == std::string_view::npos ? std::nullopt : parseNumber(line.substr(equals + 1));
     const auto known =
         std::find_if(fields.begin(), fields.end(), [&](const auto& field) { return field.name == name; });
-    if (known == fields.end() || !value) throw Error(fmt::format("recorded settings: '{}' is not understood", line));
+    if (known == fields.end() || !value)
+      throw Error(fmt::format("recorded settings: '{}' is not a known setting", line));
     known->set(to, *value);
   }
   return to;

@@ -18,7 +18,8 @@ namespace {
 
 servo::Rig rigFor(ServoPlan& plan, std::vector<device::Device> devices, double tick_s) {
   if (devices.size() != plan.fingers.size()) {
-    throw Error(fmt::format("servo: {} devices for {} fingers", devices.size(), plan.fingers.size()));
+    throw Error(
+        fmt::format("servo: {} devices for {} fingers; expected one per finger", devices.size(), plan.fingers.size()));
   }
   return servo::rigOf({.solvers = std::exchange(plan.solvers, servo::FingerSolvers(devices.size())),
                        .fingers = plan.fingers,
@@ -105,7 +106,7 @@ void ServoThread::beforeTick(servo::Rig& rig) noexcept {
 
 void ServoThread::change(ServoPlan plan) {
   if (plan.fingers.size() != fingers_) {
-    throw Error(fmt::format("servo: {} fingers instead of {}", plan.fingers.size(), fingers_));
+    throw Error(fmt::format("servo: {} fingers; expected {}", plan.fingers.size(), fingers_));
   }
   setTickLength(plan, tick_s_);
   plan.devices.resize(fingers_);

@@ -94,7 +94,7 @@ Section bodySection() {
               "(docs/howto/fit-body.md)."),
   };
   return section<S>("body", "What is touched.", &Scene::body, std::move(keys), [](const S& body, const Entry& entry) {
-    if (body.kind == BodyKind::mesh && body.file.empty()) entry.fail("of kind \"mesh\" needs a file");
+    if (body.kind == BodyKind::mesh && body.file.empty()) entry.fail("of kind \"mesh\" requires a file");
     if (body.kind != BodyKind::mesh && !body.file.empty()) entry.fail("has a file but is not of kind \"mesh\"");
     if (body.kind != BodyKind::mesh && !body.fit.empty()) entry.fail("has a fit but is not of kind \"mesh\"");
     requireTriangles(body, entry);

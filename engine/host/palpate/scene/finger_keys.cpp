@@ -117,7 +117,8 @@ bool isPlainName(const std::string& name) {
 }
 
 void checkFinger(const Finger& finger, const Entry& entry) {
-  if (!finger.name.empty() && !isPlainName(finger.name)) entry.fail("name may hold letters, digits, '-' and '_' only");
+  if (!finger.name.empty() && !isPlainName(finger.name))
+    entry.fail("name may contain only letters, digits, '-' and '_'");
   if (!finger.trajectory.empty() && !finger.steps.empty()) entry.fail("takes a trajectory or a script, not both");
 }
 

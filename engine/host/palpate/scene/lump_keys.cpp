@@ -17,7 +17,7 @@ constexpr Range kYoungKpa = between(0.1, 1e6);
 Key<S> halfAxesKey() {
   const auto read = [](S& lump, const Entry& entry) {
     const Vec3 half = readPoint3(entry, kHalfAxes);
-    if (half.x() != half.y()) entry.fail("must begin with two equal numbers: seen from the skin a lump is round");
+    if (half.x() != half.y()) entry.fail("must begin with two equal numbers (a lump is round seen from above)");
     lump.half_axes_mm = half;
   };
   const auto show = [](const S& lump) {

@@ -87,12 +87,12 @@ void setKey(Scene& scene, std::string_view table, std::string_view key, std::str
   Scene changed = scene;
   if (table.empty()) {
     const Key<Scene>* top = findTopKey(key);
-    if (top == nullptr) throw Error(fmt::format("there is no key '{}'", key));
+    if (top == nullptr) throw Error(fmt::format("unknown key '{}'", key));
     const TomlNode root = parsed(fmt::format("{} = {}", key, value));
     top->read(changed, {*root.get(key), kHere, top->name});
   } else {
     const Section* section = findSection(table);
-    if (section == nullptr) throw Error(fmt::format("there is no table [{}]", table));
+    if (section == nullptr) throw Error(fmt::format("unknown table [{}]", table));
     const TomlNode root = parsed(fmt::format("[{}]\n{} = {}", table, key, value));
     section->read(changed, {*root.get(table), kHere, section->title});
   }

@@ -44,13 +44,15 @@ void requireNamesApart(const Scene& scene, std::string_view name) {
   std::set<std::string> names;
   for (const Finger& finger : scene.fingers) {
     if (!names.insert(finger.name).second) {
-      throw Error::atLine(name, finger.line, fmt::format("is the second [[finger]] of the name '{}'", finger.name));
+      throw Error::atLine(name, finger.line,
+                          fmt::format("a [[finger]] named '{}' already exists; names must be unique", finger.name));
     }
   }
   names.clear();
   for (const LumpSettings& lump : scene.lumps) {
     if (!lump.name.empty() && !names.insert(lump.name).second) {
-      throw Error::atLine(name, lump.line, fmt::format("is the second [[lump]] of the name '{}'", lump.name));
+      throw Error::atLine(name, lump.line,
+                          fmt::format("a [[lump]] named '{}' already exists; names must be unique", lump.name));
     }
   }
 }
@@ -70,12 +72,12 @@ Scene parse(std::string_view toml_text, std::string_view name) {
 
 void requireFingers(const Scene& scene) {
   if (!scene.fingers.empty()) return;
-  throw Error::inFile(scene.file.string(), "has no [[finger]]: nobody would touch anything");
+  throw Error::inFile(scene.file.string(), "has no [[finger]]; add at least one");
 }
 
 Scene load(const std::filesystem::path& file) {
   if (mesh::isMeshFile(file)) {
-    throw Error::inFile(file.string(), "is a mesh, not a scene; a scene names it by file = \"...\" in [body]");
+    throw Error::inFile(file.string(), "is a mesh, not a scene; name it in a scene with file = \"...\" in [body]");
   }
   return parse(readFile(file, kMaxSceneBytes), file.string());
 }

@@ -178,10 +178,10 @@ Section tissueSection() {
       "tissue", "How force grows with depth, and falls with time.", &Scene::tissue, std::move(keys),
       [](const S& tissue, const Entry& entry) {
         if (!(tissue.relaxation.share + tissue.relaxation.share_2 <= contact::kMaxRelaxation)) {
-          entry.fail(fmt::format("relaxation and relaxation_2 together must not be above {}", contact::kMaxRelaxation));
+          entry.fail(fmt::format("relaxation and relaxation_2 together must be at most {}", contact::kMaxRelaxation));
         }
         const bool wants_table = tissue.force_law.kind == L::Kind::table;
-        if (wants_table && tissue.force_table.empty()) entry.fail("law \"table\" needs a force_table");
+        if (wants_table && tissue.force_table.empty()) entry.fail("law \"table\" requires a force_table");
         if (!wants_table && !tissue.force_table.empty()) {
           entry.fail("has a force_table but its force_law is not \"table\"");
         }

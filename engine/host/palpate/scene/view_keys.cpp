@@ -32,7 +32,7 @@ constexpr Range kScalars = between(-1e9, 1e9);
 Key<V> range(std::string name, std::optional<Vec2> V::*member, std::string meaning) {
   const auto read = [=](V& s, const Entry& entry) {
     const std::vector<double> v = readPoint(entry, 2, kScalars);
-    if (!(v[0] < v[1])) entry.fail("needs two rising numbers");
+    if (!(v[0] < v[1])) entry.fail("must be two increasing numbers");
     s.*member = Vec2(v[0], v[1]);
   };
   const auto show = [=](const V& s) {

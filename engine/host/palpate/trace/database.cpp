@@ -193,7 +193,7 @@ Database::Database(const std::filesystem::path& file, Mode mode, const std::file
   std::error_code error;
   const auto kind = std::filesystem::status(file, error);
   const bool exists = std::filesystem::exists(kind);
-  if (mode == Mode::create && exists) throw Error::inFile(name_, "is there already");
+  if (mode == Mode::create && exists) throw Error::inFile(name_, "already exists");
   if (mode != Mode::create && !exists) throw Error::inFile(name_, "no such file");
   if (std::filesystem::is_directory(kind)) throw Error::inFile(name_, "is a folder");
   if (exists && !std::filesystem::is_regular_file(kind)) throw Error::inFile(name_, "is not a file");

@@ -54,14 +54,16 @@ contact::Touch touchFrom(const CsvRow& row) {
   if (word == "free") return contact::Touch::free;
   if (word == "stick") return contact::Touch::stick;
   if (word == "slip") return contact::Touch::slip;
-  throw Error::atLine(row.file, row.line, fmt::format("state is '{}', not free, stick or slip", word.substr(0, 40)));
+  throw Error::atLine(row.file, row.line,
+                      fmt::format("state must be free, stick or slip; got '{}'", word.substr(0, 40)));
 }
 
 std::uint32_t bitsFrom(const CsvRow& row, std::size_t column, std::string_view name) {
   constexpr double kMax = 4294967295.0;
   const double bits = csvNumber(row, column, name);
   if (bits >= 0.0 && bits <= kMax && bits == std::floor(bits)) return static_cast<std::uint32_t>(bits);
-  throw Error::atLine(row.file, row.line, fmt::format("{} is not a set of bits: {}", name, row.fields[column]));
+  throw Error::atLine(row.file, row.line,
+                      fmt::format("{} must be a whole number of status bits; got {}", name, row.fields[column]));
 }
 
 ForcesRow rowFrom(const CsvRow& row) {
@@ -81,12 +83,12 @@ ForcesRow rowFrom(const CsvRow& row) {
 [[noreturn]] void failForHeader(const CsvRow& row, std::span<const std::string_view> header) {
   const auto different = std::ranges::mismatch(row.fields, header);
   if (different.in1 == row.fields.begin() || different.in1 == row.fields.end()) {
-    throw Error::atLine(row.file, row.line, "must be a table of forces: it begins with other columns");
+    throw Error::atLine(row.file, row.line, "must be a table of forces; its columns differ");
   }
   const auto column = different.in1 - row.fields.begin();
   const std::string_view wanted = different.in2 == header.end() ? "nothing" : *different.in2;
   throw Error::atLine(row.file, row.line,
-                      fmt::format("must be a table of forces: column {} is '{}' instead of {}", column + 1,
+                      fmt::format("must be a table of forces: column {} is '{}'; expected {}", column + 1,
                                   different.in1->substr(0, 40), wanted));
 }
 
@@ -96,7 +98,7 @@ void requireWholeRow(const CsvRow& row, std::size_t columns, std::string_view te
   const auto behind = static_cast<std::size_t>(row.fields.back().end() - text.begin());
   if (row.fields.size() < columns && text.find('\n', behind) == std::string_view::npos) {
     throw Error::atLine(row.file, row.line,
-                        fmt::format("the table breaks off here: {} of {} fields", row.fields.size(), columns));
+                        fmt::format("the table ends in this row, after {} of {} fields", row.fields.size(), columns));
   }
   throw Error::atLine(row.file, row.line, fmt::format("expected {} fields, found {}", columns, row.fields.size()));
 }
@@ -133,7 +135,7 @@ void forEachForcesRow(std::string_view text, std::string_view name,
     }
     visit(row);
   });
-  if (newest.empty()) throw Error::inFile(name, "holds no forces");
+  if (newest.empty()) throw Error::inFile(name, "has no rows");
 }
 
 void forEachForcesRow(const std::filesystem::path& file, const std::function<void(const ForcesRow&)>& visit) {

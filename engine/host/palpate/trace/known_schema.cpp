@@ -60,10 +60,10 @@ void requireKnownSchema(Database& database, const KnownSchema& known, std::strin
     // The index of a PRIMARY KEY or UNIQUE has no text.
     if (all.isNull(2) && all.text(1).starts_with("sqlite_autoindex_")) continue;
     if (isKnown(known, all.text(2))) continue;
-    throw Error::inFile(database.name(),
-                        fmt::format("holds the {} '{}', which is not of {} that Palpate writes: nothing "
-                                    "in it is read",
-                                    oneLine(all.text(0)), oneLine(all.text(1)), what));
+    throw Error::inFile(
+        database.name(),
+        fmt::format("contains the {} '{}', which is not part of {} written by Palpate; nothing was read",
+                    oneLine(all.text(0)), oneLine(all.text(1)), what));
   }
 }
 

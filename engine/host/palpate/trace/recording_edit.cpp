@@ -168,8 +168,8 @@ void requireTicks(RecordingReader& recording, const TickSpan& span) {
   });
   if (any) return;
   const RecordingFacts& facts = recording.facts();
-  throw Error(facts.samples == 0 ? std::string("the recording holds no tick")
-                                 : fmt::format("no tick there: the recording goes from {:.3f} to {:.3f} s",
+  throw Error(facts.samples == 0 ? std::string("the recording has no ticks")
+                                 : fmt::format("no ticks in this range; the recording lasts from {:.3f} to {:.3f} s",
                                                secondsAt(facts.first_tick, facts), secondsAt(facts.last_tick, facts)));
 }
 
@@ -187,11 +187,11 @@ std::string joinFingerNames(const RecordingFacts& facts) {
 
 void requireSameFingers(const RecordingFacts& first, const RecordingFacts& next, const std::filesystem::path& file) {
   if (next.header.ticks_per_s != first.header.ticks_per_s) {
-    throw Error::inFile(file.string(), fmt::format("has {} ticks a second, the first recording {}",
+    throw Error::inFile(file.string(), fmt::format("has {} ticks per second, but the first recording has {}",
                                                    next.header.ticks_per_s, first.header.ticks_per_s));
   }
   if (joinFingerNames(next) != joinFingerNames(first) || next.fingers.size() != first.fingers.size()) {
-    throw Error::inFile(file.string(), fmt::format("is of the fingers {}, the first recording of {}",
+    throw Error::inFile(file.string(), fmt::format("has the fingers {}, but the first recording has {}",
                                                    joinFingerNames(next), joinFingerNames(first)));
   }
 }
@@ -210,7 +210,7 @@ class FilesOfAll {
       fresh = fresh && is_new;
       if (known->second == hash.value()) return;
       throw Error::inFile(file.string(),
-                          fmt::format("carries another '{}' than a recording before it", attachment.name));
+                          fmt::format("contains a '{}' that differs from an earlier recording's", attachment.name));
     });
     return fresh;
   }
@@ -238,7 +238,7 @@ class Chain {
     const RecordingFacts& facts = recording.facts();
     const std::string name = file.filename().string();
     if (facts.samples == 0) {
-      joined_.notes.push_back(name + " holds no tick and is left out");
+      joined_.notes.push_back(name + " has no ticks and is skipped");
       return;
     }
     const bool is_first = joined_.begins.empty();
@@ -303,7 +303,7 @@ WholeOrNothing::~WholeOrNothing() {
 void refuseSame(const std::filesystem::path& target, const std::filesystem::path& source) {
   std::error_code error;
   if (std::filesystem::equivalent(target, source, error)) {
-    throw Error::inFile(target.string(), "is the recording that is read: write to another file");
+    throw Error::inFile(target.string(), "is the recording being read; write to another file");
   }
 }
 
@@ -343,7 +343,7 @@ Trimmed trim(RecordingReader& recording, const TrimSettings& settings, const std
 
 Joined join(const std::vector<std::filesystem::path>& files, const std::filesystem::path& target,
             const Progress& progress) {
-  if (files.size() < 2) throw Error("to join takes two recordings");
+  if (files.size() < 2) throw Error("joining requires at least two recordings");
   RecordingReader first(files.front());
   for (const std::filesystem::path& file : files) {
     refuseSame(target, file);
@@ -369,7 +369,7 @@ Joined join(const std::vector<std::filesystem::path>& files, const std::filesyst
     ended_by = recording.facts().ended_by;
     ended_utc = recording.facts().ended_utc;
   }
-  if (chain.joined().samples == 0) throw Error("none of the recordings holds a tick");
+  if (chain.joined().samples == 0) throw Error("none of the recordings has any ticks");
   writer.finish(ended_by.empty() ? "joined" : ended_by, ended_utc);
   whole.commit();
   return chain.joined();

@@ -44,7 +44,7 @@ void RecordingReader::readColumns() {
     } catch (const Error& error) {
       throw Error::inFile(database_.name(), error.what());
     }
-    if (columns_.size() > kMaxColumns) throw Error::inFile(database_.name(), "is a recording of too many columns");
+    if (columns_.size() > kMaxColumns) throw Error::inFile(database_.name(), "is a recording with too many columns");
   }
 }
 
@@ -64,7 +64,7 @@ void RecordingReader::readFacts() {
   header.notes = recording.text(7);
   header.tags = recording.text(8);
   if (!(header.ticks_per_s > 0.0) || !std::isfinite(header.ticks_per_s)) {
-    throw Error::inFile(database_.name(), "is a recording whose ticks have no length");
+    throw Error::inFile(database_.name(), "is a recording with an invalid tick rate; expected a number above 0");
   }
   Statement fingers(database_, facts_.version < 2 ? "SELECT id, name, device, '', '' FROM fingers ORDER BY id"
                                                   : "SELECT id, name, device, capabilities, placed FROM fingers "
@@ -139,7 +139,8 @@ RecordingReader::Part RecordingReader::readPart(std::int64_t part, const TickSpa
   while (find.next()) {
     const std::int64_t finger = find.integer(1);
     try {
-      if (finger < 0 || finger >= static_cast<std::int64_t>(facts_.fingers.size())) throw Error("is of no finger");
+      if (finger < 0 || finger >= static_cast<std::int64_t>(facts_.fingers.size()))
+        throw Error("belongs to no finger of the recording");
       const auto rows = static_cast<std::size_t>(std::max<std::int64_t>(0, find.integer(2)));
       for (const Sample& sample : unpackSamples(find.blob(4), static_cast<std::uint32_t>(find.integer(3)), rows,
                                                 static_cast<std::uint32_t>(finger), columns_)) {

@@ -216,14 +216,14 @@ RecordingRemains remainsIn(SqlitePages& pages, const Progress& progress) {
 }
 
 RecordingAttachment attachmentOf(const RawRow& row) {
-  if (!row.whole || !isLike(row.values, "nitttb", true)) throw Error("is not whole");
+  if (!row.whole || !isLike(row.values, "nitttb", true)) throw Error("is incomplete");
   const Values& v = row.values;
   return {toCount(v[1]), textOf(v[2]), textOf(v[3]), textOf(v[4]), v[5].bytes};
 }
 
 std::vector<Sample> samplesOf(const RawRow& row, std::span<const SampleColumn> columns) {
   const Values& v = row.values;
-  if (!row.whole || !isLike(v, "niiiiiib", true) || !isPlausible(v)) throw Error("is not whole");
+  if (!row.whole || !isLike(v, "niiiiiib", true) || !isPlausible(v)) throw Error("is incomplete");
   return unpackSamples(v[7].bytes, static_cast<std::uint32_t>(v[6].integer), static_cast<std::size_t>(v[5].integer),
                        static_cast<std::uint32_t>(v[2].integer), columns);
 }

@@ -80,7 +80,7 @@ class Repair {
   Repair(const std::filesystem::path& file, SqlitePages& pages, const Progress& progress)
       : name_(file.string()), pages_(pages), progress_(progress), remains_(remainsIn(pages, progress)) {
     if (remains_.blocks.empty() && !remains_.facts && remains_.worlds.empty()) {
-      throw Error::inFile(name_, "nothing of a recording is left in it");
+      throw Error::inFile(name_, "contains no recoverable part of a recording");
     }
     chooseColumns();
     chooseFingers();
@@ -94,7 +94,7 @@ class Repair {
     sortBlocks();
     addMissing();
     noteTheEnds();
-    if (samples_there_ == 0 && result_.header_lost) throw Error::inFile(name_, "no tick of it can be read");
+    if (samples_there_ == 0 && result_.header_lost) throw Error::inFile(name_, "contains no readable ticks");
     RecordingHeader header = facts.header;
     if (result_.header_lost) header.software = "unknown";
     WholeOrNothing whole;
@@ -254,15 +254,15 @@ class Repair {
     const auto& [first_id, first] = *remains_.blocks.begin();
     const double rate = result_.ticks_per_s;
     if (first_id > 1) {
-      result_.notes.push_back(fmt::format("what was before {:.3f} s was forgotten when it was recorded, or is lost",
+      result_.notes.push_back(fmt::format("data before {:.3f} s was not kept while recording, or is lost",
                                           static_cast<double>(first.first_tick) / rate));
     }
     if (result_.bytes_missing > 0) {
-      result_.notes.push_back(fmt::format("what came after {:.3f} s is not known: the file's end is missing",
+      result_.notes.push_back(fmt::format("data after {:.3f} s is lost: the end of the file is missing",
                                           static_cast<double>(remains_.blocks.rbegin()->second.last_tick) / rate));
     }
     if (pages_.damagedFramesOfLog() > 0) {
-      result_.notes.push_back(fmt::format("{} pages of its write-ahead log are damaged", pages_.damagedFramesOfLog()));
+      result_.notes.push_back(fmt::format("{} pages of the write-ahead log are damaged", pages_.damagedFramesOfLog()));
     }
   }
 

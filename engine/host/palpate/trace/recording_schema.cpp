@@ -136,8 +136,9 @@ std::int64_t checkRecording(Database& database) {
   }
   const std::int64_t version = database.integer("PRAGMA user_version");
   if (version < 1 || version > kRecordingVersion) {
-    throw Error::inFile(database.name(), fmt::format("is a recording of version {}; this program reads up to {}",
-                                                     version, kRecordingVersion));
+    throw Error::inFile(
+        database.name(),
+        fmt::format("is a recording of version {}; this program reads versions up to {}", version, kRecordingVersion));
   }
   requireKnownSchema(database, schemaOfRecordings(), "a recording");
   return version;

@@ -33,7 +33,8 @@ void mergeWriteAheadLog(Database& database) {
     database.run("PRAGMA journal_mode = DELETE");
   } catch (const Error&) {
     if (database.integer("PRAGMA wal_checkpoint(TRUNCATE)") != 0) {
-      throw Error::inFile(database.name(), "is being read by another program: it cannot be finished");
+      throw Error::inFile(database.name(),
+                          "cannot be completed while another program is reading it; close that program");
     }
   }
 }
@@ -120,7 +121,7 @@ void RecordingWriter::add(const RecordingWorld& world) {
 }
 
 void RecordingWriter::add(const Sample& sample) {
-  if (sample.finger >= waiting_.size()) throw Error(fmt::format("a recording has no finger {}", sample.finger));
+  if (sample.finger >= waiting_.size()) throw Error(fmt::format("the recording has no finger {}", sample.finger));
   std::vector<Sample>& waiting = waiting_[sample.finger];
   if (!waiting.empty() && sample.tick >= waiting.front().tick + part_ticks_) flush();
   waiting.push_back(sample);
@@ -132,7 +133,7 @@ void RecordingWriter::flush() {
   // Writes to an unlinked file succeed, but their data is lost.
   std::error_code error;
   if (!std::filesystem::exists(file_.partial(), error))
-    throw Error::inFile(file_.partial().string(), "was deleted while it was written");
+    throw Error::inFile(file_.partial().string(), "was deleted while it was being written");
   const auto waits = [](const std::vector<Sample>& samples) { return !samples.empty(); };
   if (events_.empty() && std::none_of(waiting_.begin(), waiting_.end(), waits)) return;
   Transaction transaction(impl_->database);

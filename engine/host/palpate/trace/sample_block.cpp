@@ -165,7 +165,7 @@ std::string inflated(std::string_view bytes, std::size_t size) {
   uLongf length = size;
   const int result = ::uncompress(reinterpret_cast<Bytef*>(raw.data()), &length,
                                   reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
-  if (result != Z_OK || length != size) throw Error("a block does not unpack to its rows");
+  if (result != Z_OK || length != size) throw Error("the block does not decompress to its number of rows");
   return raw;
 }
 
@@ -175,7 +175,7 @@ std::span<const SampleColumn> sampleColumns() { return kColumns; }
 
 SampleBlock packSamples(std::span<const Sample> samples) {
   if (samples.empty() || samples.size() > kMaxBlockRows) {
-    throw Error(fmt::format("a block of {} samples: 1 to {} will do", samples.size(), kMaxBlockRows));
+    throw Error(fmt::format("block of {} samples; expected 1 to {}", samples.size(), kMaxBlockRows));
   }
   std::string raw(rowBytes(kColumns) * samples.size(), '\0');
   char* plane = raw.data();
@@ -188,7 +188,7 @@ SampleBlock packSamples(std::span<const Sample> samples) {
   block.bytes.resize(length);
   if (::compress2(reinterpret_cast<Bytef*>(block.bytes.data()), &length, reinterpret_cast<const Bytef*>(raw.data()),
                   raw.size(), Z_BEST_SPEED) != Z_OK) {
-    throw Error("no memory to pack a block");
+    throw Error("not enough memory to compress a block");
   }
   block.bytes.resize(length);
   block.crc32 = computeChecksum(block.bytes);
@@ -198,10 +198,10 @@ SampleBlock packSamples(std::span<const Sample> samples) {
 SampleColumn columnOf(std::string_view name, std::string_view type) {
   constexpr std::array<std::string_view, 3> kTypes = {"f64", "u64", "u32"};
   const auto* const found = std::find(kTypes.begin(), kTypes.end(), type);
-  if (found == kTypes.end()) throw Error(fmt::format("column {}: '{}' is not a type of numbers", name, type));
+  if (found == kTypes.end()) throw Error(fmt::format("column {}: '{}' is not a number type", name, type));
   for (const SampleColumn& column : kColumns) {
     if (column.name != name) continue;
-    if (column.type != type) throw Error(fmt::format("column {} is {} instead of {}", name, type, column.type));
+    if (column.type != type) throw Error(fmt::format("column {} has type {}; expected {}", name, type, column.type));
     return column;
   }
   return {{}, *found, {}, {}, {}, [](Sample&, std::uint64_t) {}};
@@ -209,7 +209,7 @@ SampleColumn columnOf(std::string_view name, std::string_view type) {
 
 std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, std::size_t rows, std::uint32_t finger,
                                   std::span<const SampleColumn> columns) {
-  if (rows == 0 || rows > kMaxBlockRows) throw Error(fmt::format("a block of {} rows", rows));
+  if (rows == 0 || rows > kMaxBlockRows) throw Error(fmt::format("invalid block: {} rows", rows));
   if (computeChecksum(bytes) != crc32) throw Error("block checksum mismatch");
   const std::string raw = inflated(bytes, rowBytes(columns) * rows);
   std::vector<Sample> samples(rows);

@@ -82,7 +82,7 @@ TEST(OutputFile, FollowsNoLinkInAFolderWhereAnybodyMayLayOne) {
   fs::create_symlink(folder / "mine.csv", open / "laid.csv");
   fs::create_directory_symlink(folder.path(), open / "laid");
   fs::create_symlink(open / "laid.csv", folder / "far.csv");
-  const std::string refusal = ": is a link in a folder that everybody may write to: name what it leads to";
+  const std::string refusal = ": is a link in a world-writable folder; name the file that it points to";
   EXPECT_EQ(support::thrownMessage([&] { writeFile(open / "laid.csv", "new"); }),
             (open / "laid.csv").string() + refusal);
   EXPECT_EQ(support::thrownMessage([&] { writeFile(open / "laid/mine.csv", "new"); }),

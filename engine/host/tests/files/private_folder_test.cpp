@@ -39,7 +39,7 @@ TEST(PrivateFolder, OneThatIsThereIsClosedOnlyWhereThatIsAskedFor) {
   EXPECT_EQ(modeOfFolder(folder / "old"), 0700u);
   writeFile(folder / "file", "");
   EXPECT_EQ(support::thrownMessage([&] { makePrivateFolder(folder / "file"); }),
-            (folder / "file").string() + ": cannot be made: File exists");
+            (folder / "file").string() + ": cannot be created: File exists");
 }
 
 TEST(PrivateFolder, OfSomebodyElseOrOpenOrALinkIsRefused) {
@@ -60,7 +60,7 @@ TEST(PrivateFolder, AFileThatOthersMayReadIsRefusedAndOneOfAGroupWhereItMay) {
   requireClosedFile(file);
   ASSERT_EQ(::chmod(file.c_str(), 0640), 0);
   requireClosedFile(file, OtherReaders::group);
-  const std::string words = file.string() + ": others may read or write it: chmod 600 " + file.string();
+  const std::string words = file.string() + ": other users can read or write it: chmod 600 " + file.string();
   EXPECT_EQ(support::thrownMessage([&] { requireClosedFile(file); }), words);
   ASSERT_EQ(::chmod(file.c_str(), 0602), 0);
   EXPECT_EQ(support::thrownMessage([&] { requireClosedFile(file, OtherReaders::group); }), words);
@@ -88,7 +88,7 @@ TEST(PrivateFolder, OfRunningProgramsIsCheckedBeforeItIsUsed) {
   EXPECT_EQ(modeOfFolder(folder / "palpate"), 0700u);
   ASSERT_EQ(::chmod((folder / "palpate").c_str(), 0777), 0);
   EXPECT_EQ(support::thrownMessage([] { runtimeFolder(); }),
-            (folder / "palpate").string() + ": must be a folder of this user alone (mode 700, no link)");
+            (folder / "palpate").string() + ": must be a folder that only this user can access (mode 700, not a link)");
   before == nullptr ? ::unsetenv("XDG_RUNTIME_DIR") : ::setenv("XDG_RUNTIME_DIR", kept.c_str(), 1);
 }
 

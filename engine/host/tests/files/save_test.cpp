@@ -57,9 +57,9 @@ TEST(Save, RefusesWhatTheFormatCannotHold) {
   EXPECT_THROW(save(folder / "t.xyz", zoo::oneTriangle()), Error);
   TriangleMesh far = zoo::oneTriangle();
   for (Vec3& position : far.positions) position.x() += 4e8;
-  EXPECT_EQ(
-      support::thrownMessage([&] { save(folder / "t.stl", far); }),
-      (folder / "t.stl").string() + ": an STL file would round places so far from the origin: write .ply or .obj");
+  EXPECT_EQ(support::thrownMessage([&] { save(folder / "t.stl", far); }),
+            (folder / "t.stl").string() +
+                ": vertices are too far from the origin for the precision of STL; write .ply or .obj");
   EXPECT_THROW(save(folder / "t.ply", zoo::cube(), channels), Error);
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }

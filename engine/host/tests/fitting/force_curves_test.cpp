@@ -43,11 +43,11 @@ TEST(ForceCurves, AreReadFromAFile) {
 
 TEST(ForceCurves, NameTheLineThatIsWrong) {
   support::expectEach(errorMessage, {{"depth_mm,force\n1,2\n", "f.csv:1: the header has no column force_n"},
-                                     {"depth_mm,force_n\n1,2\n1,2,3\n", "f.csv:3: has 3 fields instead of 2"},
+                                     {"depth_mm,force_n\n1,2\n1,2,3\n", "f.csv:3: found 3 fields; expected 2"},
                                      {"depth_mm,force_n\n1,two\n", "f.csv:2: force_n is not a number: 'two'"},
                                      {"1,inf\n", "f.csv:1: force_n must be finite, got inf"},
                                      {"5000,1\n", "f.csv:1: depth_mm = 5000 is out of range: -1,000 to 1,000"},
-                                     {"depth_mm,force_n\n", "f.csv: has no row depth_mm,force_n"}});
+                                     {"depth_mm,force_n\n", "f.csv: has no rows; expected depth_mm,force_n"}});
 }
 
 }  // namespace

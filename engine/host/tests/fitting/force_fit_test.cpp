@@ -217,8 +217,8 @@ TEST(ForceFit, RefusesACurveThatTellsNothing) {
     return support::thrownMessage([&] { fitForce(curve, ForceForm::power, {}); });
   };
   EXPECT_EQ(fault({"T6", {-1.0, 0.0, 1.0, 2.0, 2.0, 3.0}, {0, 0, 1, 2, 2, 3}}),
-            "curve 'T6' has 3 depths below the skin; 4 are needed");
-  EXPECT_EQ(fault({"", {1.0, 2.0, 3.0, 4.0}, {0.0, 0.0, -0.1, 0.0}}), "the curve has no force above 0");
+            "curve 'T6' has 3 depths below the skin; at least 4 are required");
+  EXPECT_EQ(fault({"", {1.0, 2.0, 3.0, 4.0}, {0.0, 0.0, -0.1, 0.0}}), "the curve has no force above 0 N");
 }
 
 TEST(SmoothedForce, NeverFallsAndKeepsTheMean) {

@@ -148,10 +148,12 @@ TEST(ProfileFit, RefusesPlacesThatTellNothing) {
   const auto fault = [](const SkinProfile& profile) {
     return support::thrownMessage([&] { fitProfile(profile, ProfileForm::half_gaussian); });
   };
-  EXPECT_EQ(fault({2.5, {0, 0, 1, 2, 3, 4}, {1, 1, 1, 1, 1, 1}, {}}), "depth 2.5 mm: 5 radii; 6 are needed");
-  EXPECT_EQ(fault({2.5, {0, 1, 2, 3, 4, 5}, {0, 0, -1, 0, 0, 0}, {}}), "depth 2.5 mm: the skin goes down nowhere");
+  EXPECT_EQ(fault({2.5, {0, 0, 1, 2, 3, 4}, {1, 1, 1, 1, 1, 1}, {}}),
+            "depth 2.5 mm: 5 different radii; at least 6 are required");
+  EXPECT_EQ(fault({2.5, {0, 1, 2, 3, 4, 5}, {0, 0, -1, 0, 0, 0}, {}}),
+            "depth 2.5 mm: the skin is not pressed down at any radius");
   EXPECT_EQ(fault({2.5, {0, 1, 2, 3, 4, 5}, {-1, 0, 1, 0, 0, 0}, {}}),
-            "depth 2.5 mm: the skin does not go down in the middle");
+            "depth 2.5 mm: the skin is not pressed down at the centre");
 }
 
 TEST(SkinProfiles, AreReadByDepthAndRadius) {
@@ -171,8 +173,8 @@ TEST(SkinProfiles, NameTheLineThatIsWrong) {
   };
   EXPECT_EQ(fault("1,2,3\n"), "p.csv:1: the header has no column depth_mm");
   EXPECT_EQ(fault("depth_mm,r_mm,down_mm\n1,0,1\n1,-2,1\n"), "p.csv:3: r_mm = -2 is out of range: 0 to 10,000");
-  EXPECT_EQ(fault("depth_mm,r_mm,down_mm\n1,0\n"), "p.csv:2: has 2 fields instead of 3");
-  EXPECT_EQ(fault("depth_mm,r_mm,down_mm\n"), "p.csv: has no row depth_mm,r_mm,down_mm");
+  EXPECT_EQ(fault("depth_mm,r_mm,down_mm\n1,0\n"), "p.csv:2: found 2 fields; expected 3");
+  EXPECT_EQ(fault("depth_mm,r_mm,down_mm\n"), "p.csv: has no rows; expected depth_mm,r_mm,down_mm");
 }
 
 }  // namespace

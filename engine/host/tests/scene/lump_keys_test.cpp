@@ -68,9 +68,9 @@ TEST(LumpKeys, AreRefusedWithFileAndLine) {
   EXPECT_EQ(messageFor(lump("mobility_mm_per_n = 0.01\n")),
             "s.toml:2: [[lump]] mobility_mm_per_n = 0.01 is out of range: 0.1 to 100, or 0");
   EXPECT_EQ(messageFor(lump("half_axes_mm = [6, 5, 3]\n")),
-            "s.toml:2: [[lump]] half_axes_mm must begin with two equal numbers: seen from the skin a lump is round");
+            "s.toml:2: [[lump]] half_axes_mm must begin with two equal numbers (a lump is round seen from above)");
   EXPECT_EQ(messageFor(lump("name = \"a\"\n") + lump("name = \"a\"\n")),
-            "s.toml:3: is the second [[lump]] of the name 'a'");
+            "s.toml:3: a [[lump]] named 'a' already exists; names must be unique");
   EXPECT_EQ(messageFor(lump("diametre_mm = 4\n")),
             "s.toml:2: unknown key 'diametre_mm' in [[lump]]; did you mean 'diameter_mm'?");
   EXPECT_EQ(messageFor(kFinger + "pad = 1\n"), "s.toml:4: [[finger]] pad = 1 is out of range: 2 to 16, or 0");

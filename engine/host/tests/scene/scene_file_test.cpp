@@ -89,7 +89,7 @@ TEST(SceneFile, ReadsForceLaws) {
 
 TEST(SceneFile, AForceTableAndItsLawNeedEachOther) {
   EXPECT_EQ(messageFor("[tissue]\nforce_law = \"table\"\n" + kFinger),
-            "s.toml:1: [tissue] law \"table\" needs a force_table");
+            "s.toml:1: [tissue] law \"table\" requires a force_table");
   EXPECT_EQ(messageFor("[tissue]\nforce_table = \"t.csv\"\n" + kFinger),
             "s.toml:1: [tissue] has a force_table but its force_law is not \"table\"");
 }
@@ -155,21 +155,20 @@ TEST(SceneFile, NamesWrongTypesAndRanges) {
 TEST(SceneFile, NeedsNoFingersForAWorldButForARun) {
   const Scene scene = parse("title = \"nobody\"\n", "s.toml");
   EXPECT_TRUE(scene.fingers.empty());
-  EXPECT_EQ(support::thrownMessage([&] { requireFingers(scene); }),
-            "s.toml: has no [[finger]]: nobody would touch anything");
+  EXPECT_EQ(support::thrownMessage([&] { requireFingers(scene); }), "s.toml: has no [[finger]]; add at least one");
   EXPECT_NO_THROW(requireFingers(parse(kFinger, "s.toml")));
 }
 
 TEST(SceneFile, NamesWhatIsMissingOrContradicts) {
   support::expectEach(messageWithFinger,
-                      {{"[body]\nkind = \"mesh\"\n", "s.toml:1: [body] of kind \"mesh\" needs a file"},
+                      {{"[body]\nkind = \"mesh\"\n", "s.toml:1: [body] of kind \"mesh\" requires a file"},
                        {"[body]\nfile = \"a.obj\"\n", "s.toml:1: [body] has a file but is not of kind \"mesh\""},
                        {"[friction]\nstatic = 0.3\n", "s.toml:1: [friction] dynamic must not be above static"}});
   EXPECT_EQ(messageFor("[[finger]]\ntrajectory = \"a.csv\"\nscript = [{ do = \"hold\" }]\n"),
             "s.toml:1: [[finger]] takes a trajectory or a script, not both");
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a,b\"\nscript = [{ do = \"hold\" }]\n"),
-            "s.toml:1: [[finger]] name may hold letters, digits, '-' and '_' only");
-  EXPECT_EQ(messageFor(kFinger + kFinger), "s.toml:4: is the second [[finger]] of the name 'index'");
+            "s.toml:1: [[finger]] name may contain only letters, digits, '-' and '_'");
+  EXPECT_EQ(messageFor(kFinger + kFinger), "s.toml:4: a [[finger]] named 'index' already exists; names must be unique");
   EXPECT_EQ(messageFor("[[finger]]\nname = \"a\"\nscript = [{ seconds = 1 }]\n"),
             "s.toml:3: [[finger]] script needs do = \"press\" or \"hold\" or \"drag\" or \"circle\" or \"lift\"");
 }
@@ -212,7 +211,7 @@ TEST(SceneFile, AMeshIsToldApartFromAScene) {
     ADD_FAILURE() << "a mesh is not a scene";
   } catch (const Error& error) {
     EXPECT_EQ(std::string(error.what()),
-              "scan.OBJ: is a mesh, not a scene; a scene names it by file = \"...\" in [body]");
+              "scan.OBJ: is a mesh, not a scene; name it in a scene with file = \"...\" in [body]");
   }
 }
 

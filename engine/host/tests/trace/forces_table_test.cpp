@@ -41,11 +41,11 @@ TEST(ForcesTable, RefusesWhatIsNone) {
   const auto message = [](const std::string& text) {
     return support::thrownMessage([&] { parseForcesTable(text, "t.csv"); });
   };
-  EXPECT_EQ(message("t_s,x_mm\n0,1\n"), "t.csv:1: must be a table of forces: column 2 is 'x_mm' instead of finger");
-  EXPECT_EQ(message("x_mm,y_mm\n0,1\n"), "t.csv:1: must be a table of forces: it begins with other columns");
-  EXPECT_EQ(message(tableOf({})), "t.csv: holds no forces");
+  EXPECT_EQ(message("t_s,x_mm\n0,1\n"), "t.csv:1: must be a table of forces: column 2 is 'x_mm'; expected finger");
+  EXPECT_EQ(message("x_mm,y_mm\n0,1\n"), "t.csv:1: must be a table of forces; its columns differ");
+  EXPECT_EQ(message(tableOf({})), "t.csv: has no rows");
   EXPECT_EQ(message(tableOf({}) + "0,left,1\n"), "t.csv:2: expected 22 fields, found 3");
-  EXPECT_EQ(message(tableOf({}) + "0,left,1"), "t.csv:2: the table breaks off here: 3 of 22 fields");
+  EXPECT_EQ(message(tableOf({}) + "0,left,1"), "t.csv:2: the table ends in this row, after 3 of 22 fields");
   const Sample sample = makeSample(0, 0, Vec3::Zero(), Vec3::Zero());
   EXPECT_EQ(message(tableOf({sample, sample})), "t.csv:3: t_s must increase, but 0 s follows 0 s");
 }

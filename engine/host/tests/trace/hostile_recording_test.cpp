@@ -40,13 +40,13 @@ class HostileRecording : public testing::Test {
   std::filesystem::path file_ = folder_ / "a.session";
 };
 
-constexpr const char* kRest = ", which is not of a recording that Palpate writes: nothing in it is read";
+constexpr const char* kRest = ", which is not part of a recording written by Palpate; nothing was read";
 
 TEST_F(HostileRecording, AViewInPlaceOfATableIsNotAsked) {
   change(std::string("ALTER TABLE columns RENAME TO real_columns; CREATE VIEW columns AS ") + kNeverEnds);
-  EXPECT_EQ(refusal(), std::string("holds the table 'real_columns'") + kRest);
+  EXPECT_EQ(refusal(), std::string("contains the table 'real_columns'") + kRest);
   change("DROP TABLE real_columns");
-  EXPECT_EQ(refusal(), std::string("holds the view 'columns'") + kRest);
+  EXPECT_EQ(refusal(), std::string("contains the view 'columns'") + kRest);
 }
 
 TEST_F(HostileRecording, WhatTheSchemaSaysOfItselfDoesNotCount) {

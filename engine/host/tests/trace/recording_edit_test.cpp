@@ -206,7 +206,7 @@ TEST_F(RecordingEdit, ATrimOfNothingSaysWhereTheRecordingIsAndLeavesNothing) {
   EXPECT_EQ(support::thrownMessage([&] {
               trim(reader, {{5000, 6000}}, folder_ / "b.session");
             }),
-            "no tick there: the recording goes from 0.100 to 0.999 s");
+            "no ticks in this range; the recording lasts from 0.100 to 0.999 s");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "b.session"));
 }
 
@@ -271,7 +271,7 @@ TEST_F(RecordingEdit, WhatDoesNotBelongTogetherIsNotJoined) {
   RecordingWriter(folder_ / "slow.session", slow, fingers()).finish("done");
   EXPECT_NE(file_error(folder_ / "slow.session").find("has 500 ticks a second"), std::string::npos);
   RecordingWriter(folder_ / "thumb.session", header(), {{"thumb", "script"}}).finish("done");
-  EXPECT_NE(file_error(folder_ / "thumb.session").find("is of the fingers thumb"), std::string::npos);
+  EXPECT_NE(file_error(folder_ / "thumb.session").find("has the fingers thumb"), std::string::npos);
   {
     RecordingWriter writer(folder_ / "body.session", header(), fingers());
     writer.add(RecordingAttachment{0, "file", "body.obj", "", "v 1 1 1\n"});
@@ -279,7 +279,7 @@ TEST_F(RecordingEdit, WhatDoesNotBelongTogetherIsNotJoined) {
     writer.add(Sample{});
     writer.finish("done");
   }
-  EXPECT_NE(file_error(folder_ / "body.session").find("carries another 'body.obj'"), std::string::npos);
+  EXPECT_NE(file_error(folder_ / "body.session").find("contains a 'body.obj' that differs"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all.session.partial")) << "whole or not at all";
   EXPECT_NE(support::thrownMessage([&] { join({a, a}, a); }).find("write to another file"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "all.session"));

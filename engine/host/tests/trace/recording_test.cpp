@@ -242,8 +242,9 @@ TEST_F(RecordingFile, SaysWhatIsNoRecording) {
             (folder_ / "foreign.session").string() + ": is not a recording file of Palpate");
   begin("later.session").finish("done");
   Database(folder_ / "later.session", Database::Mode::write).run("PRAGMA user_version = 99");
-  EXPECT_EQ(support::thrownMessage([&] { RecordingReader(folder_ / "later.session"); }),
-            (folder_ / "later.session").string() + ": is a recording of version 99; this program reads up to 6");
+  EXPECT_EQ(
+      support::thrownMessage([&] { RecordingReader(folder_ / "later.session"); }),
+      (folder_ / "later.session").string() + ": is a recording of version 99; this program reads versions up to 6");
 }
 
 TEST_F(RecordingFile, NamesABlockThatIsDamaged) {

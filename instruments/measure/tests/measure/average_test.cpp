@@ -302,7 +302,7 @@ TEST(PressTable, NamesTheLineOfWhatItCannotRead) {
   EXPECT_EQ(fault(header), "p.csv: holds no press: a header and a row for each are needed");
   EXPECT_EQ(fault("name,x_mm,y_mm,half_major_mm,direction_deg\n"),
             "p.csv:1: the header has no column major_over_minor");
-  EXPECT_EQ(fault(header + "A,0,0,90,1.2\n"), "p.csv:2: has 5 fields instead of 7");
+  EXPECT_EQ(fault(header + "A,0,0,90,1.2\n"), "p.csv:2: found 5 fields; expected 7");
   EXPECT_EQ(fault(header + "A,0,0,-90,1.2,90,90\n"), "p.csv:2: half_major_mm = -90 is out of range: 0.001 to 10,000");
   EXPECT_EQ(fault(header + "A,0,0,90,1.2,90,up\n"), "p.csv:2: drag_deg is not a number: 'up'");
   EXPECT_EQ(fault(header + ",0,0,90,1.2,90,90\n"), "p.csv:2: the point has no name");

@@ -100,15 +100,15 @@ TEST_F(PlotCommand, ASpikeOfOneTickIsSeenInALongRun) {
 TEST_F(PlotCommand, NamesTheLineOfWhatItCannotRead) {
   write("path.csv", "t_s,x_mm,y_mm,z_mm\n0,1,2,3\n");
   EXPECT_EQ(runForError("path.csv"),
-            "palpate: path.csv:1: must be a table of forces: column 2 is 'x_mm' instead of finger\n");
+            "palpate: path.csv:1: must be a table of forces: column 2 is 'x_mm'; expected finger\n");
   std::string text = pressedTable();
   write("cut.csv", text.substr(0, text.size() - 30));
-  EXPECT_NE(runForError("cut.csv").find("cut.csv:1201: the table breaks off here: "), std::string::npos);
+  EXPECT_NE(runForError("cut.csv").find("cut.csv:1201: the table ends in this row, after "), std::string::npos);
   text.replace(text.find(",stick,"), 7, ",stock,");
   write("typo.csv", text);
-  EXPECT_EQ(runForError("typo.csv"), "palpate: typo.csv:2: state is 'stock', not free, stick or slip\n");
+  EXPECT_EQ(runForError("typo.csv"), "palpate: typo.csv:2: state must be free, stick or slip; got 'stock'\n");
   write("empty.csv", std::string(trace::forcesCsvHeader()) + "\n");
-  EXPECT_EQ(runForError("empty.csv"), "palpate: empty.csv: holds no forces\n");
+  EXPECT_EQ(runForError("empty.csv"), "palpate: empty.csv: has no rows\n");
   EXPECT_NE(runForError("missing.csv").find("missing.csv"), std::string::npos);
 }
 

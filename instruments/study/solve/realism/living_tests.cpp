@@ -86,7 +86,7 @@ LivingTests readLivingTests(const std::filesystem::path& list_or_folder) {
     }
     if (row.fields.size() != header.fields) {
       throw Error::atLine(row.file, row.line,
-                          fmt::format("has {} fields instead of {}", row.fields.size(), header.fields));
+                          fmt::format("found {} fields; expected {}", row.fields.size(), header.fields));
     }
     const bool measured = !row.fields[header.at[cover]].empty() && !row.fields[header.at[stiffness]].empty();
     if (measured) {

@@ -97,7 +97,7 @@ Probe probePlayback(const OpenOptions& options) {
 }
 
 Device openPlayback(const OpenOptions& options) {
-  if (options.which.empty()) throw Error("playback: no file; say which: playback:FILE");
+  if (options.which.empty()) throw Error("playback: no file; name one as playback:FILE");
   return scriptedDevice(
       "playback", std::make_shared<const std::vector<Vec3>>(resampled(pathIn(options.which), options.tick_s).tip_mm));
 }

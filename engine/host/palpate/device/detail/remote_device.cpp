@@ -32,14 +32,14 @@ std::optional<std::string> keyFor(const SocketAddress& listen) {
   if (const std::string file = system::variable(kRemoteKeyVariable); !file.empty()) return readRemoteKey(pathOf(file));
   if (isOnThisMachine(listen)) return std::nullopt;
   throw Error(
-      fmt::format("remote: other computers reach {}:{}, so clients must have a key: name its file in {} "
+      fmt::format("remote: {}:{} is reachable from other computers, so clients need a key; name its file in {} "
                   "(docs/reference/remote.md)",
                   listen.address, listen.port, kRemoteKeyVariable));
 }
 
 RemoteGate::Seed randomSeed() {
   std::array<unsigned char, RemoteGate::Seed().size() / 2> random{};
-  if (!system::fillWithRandom(random)) throw Error("remote: the system gives no random numbers");
+  if (!system::fillWithRandom(random)) throw Error("remote: the system's random number generator is unavailable");
   RemoteGate::Seed seed;
   for (std::size_t i = 0; i < random.size(); ++i) fmt::format_to_n(seed.data() + 2 * i, 2, "{:02x}", random[i]);
   return seed;

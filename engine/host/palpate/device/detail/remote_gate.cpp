@@ -84,10 +84,10 @@ std::string readRemoteKey(const std::filesystem::path& file) {
   const std::string content = readFile(file, kMaxKeyFileBytes);
   const std::string_view key = trimmed(content);
   if (key.size() < kMinKeyBytes || key.size() > kMaxKeyBytes || !std::all_of(key.begin(), key.end(), isLetterOrDigit)) {
-    throw Error::inFile(file.string(),
-                        fmt::format("must hold one line of {} to {} letters and digits, such as that of openssl rand "
-                                    "-hex 32",
-                                    kMinKeyBytes, kMaxKeyBytes));
+    throw Error::inFile(
+        file.string(),
+        fmt::format("must contain one line of {} to {} letters and digits; make one with openssl rand -hex 32",
+                    kMinKeyBytes, kMaxKeyBytes));
   }
   return std::string(key);
 }

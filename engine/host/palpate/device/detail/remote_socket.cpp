@@ -51,7 +51,7 @@ SocketAddress parseSocketAddress(const std::string& which, SocketAddress standar
   if (port.empty()) return listen;
   const std::optional<double> number = parseNumber(port);
   if (!number || *number < 1.0 || *number > 65535.0 || *number != std::floor(*number)) {
-    throw Error(fmt::format("{}: '{}' must be a port, 1 to 65535", who, oneLine(port)));
+    throw Error(fmt::format("{}: '{}' must be a port (1 to 65535)", who, oneLine(port)));
   }
   listen.port = static_cast<int>(*number);
   return listen;
@@ -64,7 +64,7 @@ bool isOnThisMachine(const SocketAddress& listen) {
 
 UdpSocket::UdpSocket(const SocketAddress& listen, const char* who) : port_(peerAt(listen, who)) {
   if (port_.trouble().empty()) return;
-  throw Error(fmt::format("{}: cannot listen at {}:{}: {}; another program may listen there: say {}:PORT", who,
+  throw Error(fmt::format("{}: cannot listen on {}:{}: {}; another program may be using the port, try {}:PORT", who,
                           listen.address, listen.port, port_.trouble(), who));
 }
 

@@ -25,8 +25,8 @@ constexpr double kLargestForceN = 20.0;
 
 [[noreturn]] void refuse(std::string_view part) {
   throw Error(
-      fmt::format("haply: '{}' in {} is none of HOST:PORT, force_key=auto|vector|values, most_force_n=0.1..{}, "
-                  "http_port=PORT; see docs/reference/devices.md",
+      fmt::format("haply: '{}' in {} is invalid; expected HOST:PORT, force_key=auto|vector|values, "
+                  "most_force_n=0.1..{} or http_port=PORT (docs/reference/devices.md)",
                   oneLine(part), kServiceVariable, kLargestForceN));
 }
 

@@ -18,8 +18,8 @@ struct KnownError {
   std::string_view remedy;
 };
 
-constexpr std::string_view kReplug = "check cable and power supply of the device, then plug it in again";
-constexpr std::string_view kReport = "this is a fault of the program or of its driver: please report it";
+constexpr std::string_view kReplug = "check the device's cable and power supply, then plug it in again";
+constexpr std::string_view kReport = "this is a bug in the program or the driver; please report it";
 
 constexpr std::array kKnownErrors = {
     KnownError{0x100, "invalid enumerator", kReport},
@@ -27,22 +27,22 @@ constexpr std::array kKnownErrors = {
     KnownError{0x102, "invalid operation", kReport},
     KnownError{0x103, "invalid input type", kReport},
     KnownError{0x104, "bad handle", kReport},
-    KnownError{0x200, "warm motors", "let the device rest: its motors are warm"},
+    KnownError{0x200, "warm motors", "let the motors cool down"},
     KnownError{0x201, "force above the maximum", "lower the stiffness or the nominal force of the scene"},
     KnownError{0x202, "force impulse above the maximum", "lower the stiffness of the scene"},
     KnownError{0x203, "velocity above the maximum", "move more slowly"},
     KnownError{0x204, "force error", "release the device and press its button again"},
     KnownError{0x300, "device fault", kReplug},
-    KnownError{0x301, "device already initiated", "end the other program that uses it, or name another device"},
+    KnownError{0x301, "device already initiated", "close the other program that uses it, or name another device"},
     KnownError{0x302, "communication error", kReplug},
     KnownError{0x303, "wrong communication settings", "run the vendor's setup program and choose the device there"},
-    KnownError{0x304, "timer error", "end other programs that use the device's driver"},
-    KnownError{0x400, "frame begun within a frame", kReport},
-    KnownError{0x401, "frame ended without a beginning", kReport},
+    KnownError{0x304, "timer error", "close other programs that use the device's driver"},
+    KnownError{0x400, "frame begun inside another frame", kReport},
+    KnownError{0x401, "frame ended without being begun", kReport},
     KnownError{0x402, "frame error", kReport},
     KnownError{0x500, "invalid priority", kReport},
-    KnownError{0x501, "scheduler full", "end other programs that use the device's driver"},
-    KnownError{0x600, "invalid licence", "install the licence of OpenHaptics, or its run-time driver for this device"},
+    KnownError{0x501, "scheduler full", "close other programs that use the device's driver"},
+    KnownError{0x600, "invalid licence", "install the OpenHaptics licence, or the run-time driver for this device"},
 };
 
 }  // namespace

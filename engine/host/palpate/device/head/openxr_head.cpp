@@ -61,7 +61,7 @@ void requireExtensions(const openxr::Api& api) {
   if (result >= 0 && count > 0) result = api.enumerate_extensions(nullptr, count, &count, offered.data());
   if (result < 0) {
     throw headsetError(
-        fmt::format("no OpenXR runtime is active (result {}); install one, such as Monado, or name its manifest: "
+        fmt::format("no OpenXR runtime is active (result {}); install one, e.g. Monado, or set "
                     "XR_RUNTIME_JSON=/path/to/openxr_monado.json",
                     static_cast<int>(result)));
   }
@@ -71,10 +71,9 @@ void requireExtensions(const openxr::Api& api) {
       return std::strncmp(extension.name.data(), wanted, extension.name.size()) == 0;
     });
     if (found) continue;
-    throw headsetError(
-        fmt::format("the active OpenXR runtime lacks {}, by which a head is read without drawing into the "
-                    "headset; a runtime that has it is Monado",
-                    wanted));
+    throw headsetError(fmt::format(
+        "the active OpenXR runtime lacks {}, needed to track a head without drawing to the headset; Monado has it",
+        wanted));
   }
 }
 
@@ -89,10 +88,9 @@ openxr::Handle madeInstance(const openxr::Api& api) {
   // The loader's answers for a runtime whose service it does not reach.
   if (result == openxr::kRuntimeFailure || result == openxr::kRuntimeUnavailable ||
       result == openxr::kInitializationFailed || result == openxr::kInstanceLost) {
-    throw headsetError(
-        fmt::format("the active OpenXR runtime does not start (result {}); start its service, such as "
-                    "monado-service, first",
-                    static_cast<int>(result)));
+    throw headsetError(fmt::format(
+        "the active OpenXR runtime does not start (result {}); start its service first, e.g. monado-service",
+        static_cast<int>(result)));
   }
   requireSuccess(result, "xrCreateInstance");
   return instance;
@@ -103,7 +101,7 @@ openxr::SystemId headset(const openxr::Api& api, openxr::Handle instance) {
   openxr::SystemId system = 0;
   const openxr::Result result = api.get_system(instance, &info, &system);
   if (result == openxr::kFormFactorUnavailable || result == openxr::kFormFactorUnsupported) {
-    throw headsetError("the OpenXR runtime sees no headset; connect it and switch it on");
+    throw headsetError("the OpenXR runtime finds no headset; connect one and switch it on");
   }
   requireSuccess(result, "xrGetSystem");
   return system;

@@ -69,7 +69,7 @@ void find(void* library, const char* name, Function& function) {
 const Assimp& assimp() {
   static const Assimp opened = [] {
     const system::OpenedLibrary library = system::openLibrary(PALPATE_ASSIMP_FILE);
-    if (library.handle == nullptr) throw Error("this format needs assimp: " + library.words);
+    if (library.handle == nullptr) throw Error("this format requires assimp: " + library.words);
     Assimp found;
     find(library.handle, "aiImportFileFromMemory", found.import);
     find(library.handle, "aiReleaseImport", found.release);
@@ -82,7 +82,8 @@ const Assimp& assimp() {
 using Scene = std::unique_ptr<const aiScene, decltype(&aiReleaseImport)>;
 
 Scene imported(const MeshFile& file, const std::string& extension) {
-  if (file.bytes.size() > std::numeric_limits<unsigned>::max()) throw Error("assimp reads files up to 4 GB");
+  if (file.bytes.size() > std::numeric_limits<unsigned>::max())
+    throw Error("the file is too large for assimp; expected at most 4 GB");
   static std::mutex one_at_a_time;  // for the words of an error
   const std::lock_guard lock(one_at_a_time);
   Scene scene(assimp().import(file.bytes.data(), static_cast<unsigned>(file.bytes.size()), kSteps, extension.c_str()),

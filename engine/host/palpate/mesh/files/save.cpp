@@ -68,7 +68,8 @@ void requirePlacesForFloats(const TriangleMesh& mesh, const std::filesystem::pat
   constexpr double kFarthestMm = 1e6;
   for (const Vec3& position : mesh.positions) {
     if (!position.allFinite() || position.cwiseAbs().maxCoeff() <= kFarthestMm) continue;
-    throw Error::inFile(file.string(), "an STL file would round places so far from the origin: write .ply or .obj");
+    throw Error::inFile(file.string(),
+                        "vertices are too far from the origin for the precision of STL; write .ply or .obj");
   }
 }
 
@@ -110,13 +111,15 @@ void writePly(const TriangleMesh& mesh, const VertexChannels& channels, Buffer& 
 
 void checkName(const std::string& name, const std::string& file) {
   const bool one_word = !name.empty() && name.find_first_of(" \t\r\n") == std::string::npos;
-  if (!one_word) throw Error::inFile(file, fmt::format("'{}' is not a name for a value: it must be one word", name));
+  if (!one_word)
+    throw Error::inFile(file, fmt::format("'{}' is not a valid name for a vertex value; expected one word", name));
 }
 
 void checkChannels(const VertexChannels& channels, std::size_t vertices, const std::string& file) {
   const auto check_size = [&](std::string_view what, std::size_t size) {
     if (size == vertices) return;
-    throw Error::inFile(file, fmt::format("{} has {} values for {} vertices", what, size, vertices));
+    throw Error::inFile(file,
+                        fmt::format("{} has {} values for {} vertices; expected one per vertex", what, size, vertices));
   };
   for (const VertexScalar& scalar : channels.scalars) {
     checkName(scalar.name, file);
@@ -132,11 +135,11 @@ bool hasChannels(const VertexChannels& channels) { return !channels.scalars.empt
 void save(const std::filesystem::path& file, const TriangleMesh& mesh, const VertexChannels& channels) {
   const std::string extension = file.extension().string();
   if (extension != ".obj" && extension != ".stl" && extension != ".ply") {
-    throw Error::inFile(file.string(), "meshes are written as .obj, .stl or .ply");
+    throw Error::inFile(file.string(), "not a supported mesh format; expected .obj, .stl or .ply");
   }
   if (extension == ".stl") requirePlacesForFloats(mesh, file);
   if (extension != ".ply" && hasChannels(channels)) {
-    throw Error::inFile(file.string(), "values per vertex need a .ply file");
+    throw Error::inFile(file.string(), "vertex values require a .ply file");
   }
   checkChannels(channels, mesh.positions.size(), file.string());
   OutputFile output(file);

@@ -61,7 +61,7 @@ class CurveReader {
     const auto [place, fresh] = numbers_.try_emplace(name, curves.size());
     if (fresh) {
       if (curves.size() == kMaxCurves)
-        throw Error::atLine(row.file, row.line, fmt::format("more than {} curves", kMaxCurves));
+        throw Error::atLine(row.file, row.line, fmt::format("too many curves; expected at most {}", kMaxCurves));
       curves.emplace_back().name = name;
     }
     return curves[place->second];
@@ -77,7 +77,7 @@ class CurveReader {
 std::vector<ForceCurve> parseForceCurves(std::string_view text, std::string_view name) {
   CurveReader reader;
   forEachCsvRow(text, name, [&](const CsvRow& row) { reader.addRow(row); });
-  if (reader.curves.empty()) throw Error::inFile(name, "has no row depth_mm,force_n");
+  if (reader.curves.empty()) throw Error::inFile(name, "has no rows; expected depth_mm,force_n");
   return std::move(reader.curves);
 }
 

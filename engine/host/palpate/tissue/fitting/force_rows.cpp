@@ -40,10 +40,11 @@ ForceRows rowsOf(const ForceCurve& curve) {
   const std::string where = curve.name.empty() ? std::string("the curve") : fmt::format("curve '{}'", curve.name);
   const std::size_t depths = depthsBelowSkin(rows.depth_mm);
   if (depths < kMinForceDepths) {
-    throw Error(fmt::format("{} has {} depths below the skin; {} are needed", where, depths, kMinForceDepths));
+    throw Error(
+        fmt::format("{} has {} depths below the skin; at least {} are required", where, depths, kMinForceDepths));
   }
   rows.most_n = rows.force_n.maxCoeff();
-  if (!(rows.most_n > 0.0)) throw Error(where + " has no force above 0");
+  if (!(rows.most_n > 0.0)) throw Error(where + " has no force above 0 N");
   return rows;
 }
 

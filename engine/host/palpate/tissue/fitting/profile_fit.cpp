@@ -68,9 +68,9 @@ Places skinPlaces(const SkinProfile& profile) {
   const auto different = static_cast<std::size_t>(std::unique(radii.begin(), radii.end()) - radii.begin());
   const std::string where = fmt::format("depth {} mm", profile.depth_mm);
   if (different < kMinPlaces) {
-    throw Error(fmt::format("{}: {} radii; {} are needed", where, different, kMinPlaces));
+    throw Error(fmt::format("{}: {} different radii; at least {} are required", where, different, kMinPlaces));
   }
-  if (!(places.down.maxCoeff() > 0.0)) throw Error(where + ": the skin goes down nowhere");
+  if (!(places.down.maxCoeff() > 0.0)) throw Error(where + ": the skin is not pressed down at any radius");
   places.areas = areaShares(places.radius);
   places.weights = (0.5 * places.areas + 0.5 / static_cast<double>(places.radius.size())).sqrt();
   return places;
@@ -259,7 +259,7 @@ double measuredSurface(const Places& places) {
 void passThrough(const Places& places, ProfileFit& fit) {
   fit.surface_mm = measuredSurface(places);
   if (!(fit.surface_mm > 0.0)) {
-    throw Error(fmt::format("depth {} mm: the skin does not go down in the middle", places.depth));
+    throw Error(fmt::format("depth {} mm: the skin is not pressed down at the centre", places.depth));
   }
   const double scale = 1.0 / fit.surface_mm;
   fit.measured_down = curveThrough(averaged(places.radius, places.down), 1.0, scale, UserInterpolation::monotone_cubic);
@@ -353,7 +353,7 @@ ProfileFit fitProfile(const SkinProfile& profile, ProfileForm form) {
   const Places places = skinPlaces(profile);
   const double surface = measuredSurface(places);
   if (!(surface > 0.0)) {
-    throw Error(fmt::format("depth {} mm: the skin does not go down in the middle", profile.depth_mm));
+    throw Error(fmt::format("depth {} mm: the skin is not pressed down at the centre", profile.depth_mm));
   }
   Eigen::VectorXd inner;
   ProfileFit fit = fitPlaces(places, form, shapeStarts(form), &inner);

@@ -35,7 +35,7 @@ class ProfileReader {
     checkFields(row, *fields_);
     const double depth = csvNumber(row, depth_, "depth_mm", kSkinDepths);
     if (!places_.contains(depth) && places_.size() == kMaxDepths) {
-      throw Error::atLine(row.file, row.line, fmt::format("more than {} depths", kMaxDepths));
+      throw Error::atLine(row.file, row.line, fmt::format("too many depths; expected at most {}", kMaxDepths));
     }
     places_[depth].push_back({csvNumber(row, radius_, "r_mm", kSkinRadii), csvNumber(row, down_, "down_mm", kMotions),
                               outward_ ? csvNumber(row, *outward_, "outward_mm", kMotions) : 0.0});
@@ -79,7 +79,7 @@ std::vector<SkinProfile> parseSkinProfiles(std::string_view text, std::string_vi
   ProfileReader reader;
   forEachCsvRow(text, name, [&](const CsvRow& row) { reader.addRow(row); });
   std::vector<SkinProfile> profiles = reader.profiles();
-  if (profiles.empty()) throw Error::inFile(name, "has no row depth_mm,r_mm,down_mm");
+  if (profiles.empty()) throw Error::inFile(name, "has no rows; expected depth_mm,r_mm,down_mm");
   return profiles;
 }
 

@@ -69,7 +69,7 @@ ForceTable smoothedTable(const ForceRows& rows, const Eigen::ArrayXd& weights, s
     ++table.rows;
   }
   if (table.rows == 0 || !(table.effective_mm.at(table.rows - 1) > 0.0)) {
-    throw Error("a table of measured forces needs one above 0");
+    throw Error("a table of measured forces requires at least one above 0");
   }
   return table;
 }

@@ -22,7 +22,7 @@ std::size_t neededColumn(const CsvRow& header, std::string_view name) {
 
 void checkFields(const CsvRow& row, std::size_t fields) {
   if (row.fields.size() == fields) return;
-  throw Error::atLine(row.file, row.line, fmt::format("has {} fields instead of {}", row.fields.size(), fields));
+  throw Error::atLine(row.file, row.line, fmt::format("found {} fields; expected {}", row.fields.size(), fields));
 }
 
 }  // namespace palpate::tissue

@@ -46,7 +46,7 @@ TEST(LivingTests, OfAnotherTableAreRefusedWithFileAndLine) {
   const auto row = [&](const std::string& fields) { return complaint(std::string(kHeader) + fields + "\n"); };
   const std::string where = std::string(kLivingList) + ":2: ";
   EXPECT_NE(complaint("a,b\n1,2\n").find(":1: the header has no column SubID"), std::string::npos);
-  EXPECT_NE(row("0,6,LA_A,20,1,4,0.002").find(where + "has 7 fields instead of 8"), std::string::npos);
+  EXPECT_NE(row("0,6,LA_A,20,1,4,0.002").find(where + "found 7 fields; expected 8"), std::string::npos);
   EXPECT_NE(row("0,6,HAND,20,1,4,0.002,1").find(where + "Location is 'HAND'; expected one of LA_A"), std::string::npos);
   EXPECT_NE(row("0,6.5,LA_A,20,1,4,0.002,1").find(where + "SubID must be a whole number"), std::string::npos);
   EXPECT_NE(row("0,6,LA_A,20,1,19.5,0.002,1").find(where + "Skin and Fat (20.5 mm) must be thinner"),

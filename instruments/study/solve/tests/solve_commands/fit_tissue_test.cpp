@@ -135,7 +135,7 @@ TEST_F(FitForce, NamesTheLineOfWhatItCannotRead) {
   EXPECT_EQ(runForError("force typo.csv"), "palpate: typo.csv:3: force_n is not a number: 'three'\n");
   write("short.csv", "1,2\n2,3\n");
   EXPECT_EQ(runForError("force short.csv"),
-            "palpate: short.csv: the curve has 2 depths below the skin; 4 are needed\n");
+            "palpate: short.csv: the curve has 2 depths below the skin; at least 4 are required\n");
   EXPECT_EQ(runForError("force places.csv --curve L4"),
             "palpate: places.csv: unknown curve 'L4'; did you mean 'L3'?\n");
   EXPECT_EQ(runForError("force one.csv --plot fit.jpg"), "palpate: fit.jpg: a plot is written as .png, .svg\n");
@@ -218,7 +218,8 @@ TEST_F(FitProfile, NamesTheLineOfWhatItCannotRead) {
   write("typo.csv", "depth_mm,r_mm,down_mm\n1,0,x\n");
   EXPECT_EQ(runForError("profile typo.csv"), "palpate: typo.csv:2: down_mm is not a number: 'x'\n");
   write("short.csv", "depth_mm,r_mm,down_mm\n1,0,1\n1,5,0\n");
-  EXPECT_EQ(runForError("profile short.csv"), "palpate: short.csv: depth 1 mm: 2 radii; 6 are needed\n");
+  EXPECT_EQ(runForError("profile short.csv"),
+            "palpate: short.csv: depth 1 mm: 2 different radii; at least 6 are required\n");
   EXPECT_NE(runForError("profile skin.csv --layer skin").find("a layer is NAME:THICKNESS:MODULUS"), std::string::npos);
   write("two.csv", "curve,depth_mm,force_n\na,1,1\nb,1,1\n");
   EXPECT_EQ(runForError("profile skin.csv --forces two.csv"),
