@@ -23,21 +23,19 @@ Keys tissueKeys() {
   return {
       choice<D, TissueModel>(
           "tissue", &D::tissue,
-          "What lies over the bones: layers of skin, fat and muscle, as thick as they are at the "
-          "place (docs/explanation/tissue.md); "
-          "the half Gaussian, in regions of one size for the whole body; or that as printed (E18, "
-          "E21). A body without "
-          "bones is never layered, nor is a scene that sets fidelity.E15, E18 or E21, a profile, "
-          "profile_rim, region, normal_radius or radial_share of its own: a note then says so, and the "
-          "force law \"layered\" is F = k d. All other keys act on layers too."),
+          "Tissue over the bones: layers of skin, fat and muscle with their local thickness "
+          "(docs/explanation/tissue.md); the half Gaussian, with one region size for the whole body; or the half "
+          "Gaussian as printed (E18, E21). Layers require bones, and a scene that sets none of fidelity.E15, E18, E21, "
+          "a profile, profile_rim, region, normal_radius or radial_share; otherwise a note says so and the force law "
+          "\"layered\" is F = k d. All other keys affect layers too."),
       number<D>("normal_cap_mm", tissue(&T::normal_cap_mm), between(0, 1000),
-                "The skin is pressed in no deeper than this."),
+                "Maximum depth to which the skin is pressed in."),
       number<D>("tangential_cap_mm", tissue(&T::tangential_cap_mm), between(0, 1000),
-                "The skin is dragged no farther than this."),
+                "Maximum distance over which the skin is dragged."),
       number<D>("f_adj", tissue(&T::f_adj), between(0, 10),
                 "Factor on how far the skin follows a drag: 1.3 for loose skin, 0.7 for tight skin."),
       number<D>("normal_radius_mm", tissue(&T::normal_radius_mm), above(0, 10000),
-                "Radius of the dent at no depth ..."),
+                "Radius of the dent at zero depth ..."),
       number<D>("normal_radius_per_depth", tissue(&T::normal_radius_per_depth), between(0, 1000),
                 "... and how much it grows per mm of depth."),
   };
@@ -45,23 +43,23 @@ Keys tissueKeys() {
 
 Keys regionKeys() {
   return {
-      choice<D, deform::NormalRegion>("region", way(&D::forms, &F::region),
-                                      "Of the press: growing with the depth, of normal_radius_mm always, the same as "
-                                      "the drag's (E21), or the drag's "
-                                      "in proportion to the depth, whole at the cap (4.2)."),
+      choice<D, deform::NormalRegion>(
+          "region", way(&D::forms, &F::region),
+          "Region of a press: grows with the depth, is always normal_radius_mm, equals the drag's (E21), or is the "
+          "drag's in proportion to the depth, full size at the cap (4.2)."),
       choice<D, deform::Shape>(
           "shape", way(&D::forms, &F::shape),
-          "Of the drag's region: the map's ellipse, the circle of its area, or an irregular contour."),
+          "Shape of the drag's region: the map's ellipse, a circle of the same area, or an irregular contour."),
       file<D>("contours", &D::contours,
-              "Shape \"contour\": table of measured contours (docs/reference/maps.md); default: they follow bones "
-              "and folds (docs/explanation/deformation.md)."),
+              "Shape \"contour\": table of measured contours (docs/reference/maps.md; default: contours that follow "
+              "bones and folds, docs/explanation/deformation.md)."),
       choice<D, deform::Search>(
           "search", way(&D::forms, &F::search),
-          "How a region's vertices are found: along the skin, or by the octree, which takes other fingers too."),
+          "How a region's vertices are found: along the skin, or with the octree, which also catches other fingers."),
       choice<D, deform::Boundary>(
           "boundary", way(&D::forms, &F::boundary),
-          "What was measured as the drag's boundary: where the skin is still, or its 2 mm contour; that makes the "
-          "regions 1.635 times as large (E20). Layered tissue reads it as the 2 mm contour, whatever is said here."),
+          "What the measured boundary of a drag means: where the skin stops moving, or its 2 mm contour, which makes "
+          "the regions 1.635 times as large (E20). Layered tissue always uses the 2 mm contour."),
   };
 }
 
@@ -110,17 +108,17 @@ Keys profileKeys(const ProfilePlace& place) {
 Keys otherKeys() {
   using R = tissue::RadialTerm;
   return {
-      number<D>(
-          "radial_share", way(&D::forms, &F::radial, &R::share), between(-1, 1),
-          "How far pressed skin is also drawn in sideways, as a share of the depth; layered tissue shows 0.05 to 0.1."),
+      number<D>("radial_share", way(&D::forms, &F::radial, &R::share), between(-1, 1),
+                "How far pressed skin is also drawn in sideways, as a fraction of the depth; layered tissue has 0.05 "
+                "to 0.1."),
       number<D>("radial_width", way(&D::forms, &F::radial, &R::width), above(0, 1),
-                "Where that is largest, as a share of the region."),
+                "Where the inward pull is largest, as a fraction of the region."),
       choice<D, deform::Together>(
           "together", way(&D::forms, &F::together),
-          "Several fingers: each gets its own depth, or their displacements simply add up (E25)."),
-      choice<D, deform::Normals>(
-          "normals", way(&D::forms, &F::common, &deform::Settings::normals),
-          "Of the deformed skin: from the formulae (fast), from its triangles, or from those that changed."),
+          "Several fingers: each reaches its own depth, or their displacements simply add up (E25)."),
+      choice<D, deform::Normals>("normals", way(&D::forms, &F::common, &deform::Settings::normals),
+                                 "Normals of the deformed skin: from the formulae (fast), from all its triangles, or "
+                                 "only from those that changed."),
   };
 }
 
@@ -156,27 +154,29 @@ Section deformationSection() {
   append(keys, profileKeys(kPress));
   append(keys, profileKeys(kDrag));
   append(keys, otherKeys());
-  return section<D>("deformation", "How the skin gives way (functional shape matched deformation).",
-                    &Scene::deformation, std::move(keys), checkFiles);
+  return section<D>("deformation", "How the skin deforms (functional shape matched deformation).", &Scene::deformation,
+                    std::move(keys), checkFiles);
 }
 
 Section profileSection() {
   using S = PlaceProfile;
   const std::vector<Key<S>> keys = {
       text<S>("at", &S::at, "Centre by name: \"T9 right 30 mm\" (docs/reference/names.md)."),
-      unlessNamed(number<S>("x_mm", &S::x_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
-      unlessNamed(number<S>("y_mm", &S::y_mm, between(-kLongestMm, kLongestMm), "Centre in numbers, seen along z.")),
-      number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Outside nothing changes."),
+      unlessNamed(
+          number<S>("x_mm", &S::x_mm, between(-kLongestMm, kLongestMm), "Centre in coordinates, seen along z.")),
+      unlessNamed(
+          number<S>("y_mm", &S::y_mm, between(-kLongestMm, kLongestMm), "Centre in coordinates, seen along z.")),
+      number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Nothing changes outside this radius."),
       number<S>("edge_softness", &S::edge_softness, between(0, 1),
-                "Share of the radius over which the curves go over into those around the place; 0 is a hard edge."),
+                "Fraction of the radius over which the curves blend into the surrounding ones; 0 is a hard edge."),
       choice<S, tissue::ProfileKind>("press", &S::press,
-                                     "Curve of a press there, in the place of layers too; its numbers are those of "
+                                     "Curve of a press there, also in place of layers; its parameters are those of "
                                      "[deformation] profile_... (docs/reference/deformation-forms.md)."),
-      file<S>("press_file", &S::press_file, "Press, \"user\": table q,value."),
-      choice<S, tissue::ProfileKind>("drag", &S::drag, "The same for a drag."),
-      file<S>("drag_file", &S::drag_file, "Drag, \"user\": table q,value."),
+      file<S>("press_file", &S::press_file, "With press = \"user\": table q,value."),
+      choice<S, tissue::ProfileKind>("drag", &S::drag, "Curve of a drag there."),
+      file<S>("drag_file", &S::drag_file, "With drag = \"user\": table q,value."),
       number<S>("region", &S::region, above(0, 10),
-                "Factor on the regions that [deformation] and the map give press and drag there."),
+                "Factor for the press and drag regions that [deformation] and the map define there."),
   };
   const auto read = [keys](const TomlNode& table, const Entry& entry) {
     S profile;
@@ -192,11 +192,11 @@ Section profileSection() {
 Section strainSection() {
   using Strain = StrainSettings;
   std::vector<Key<Strain>> keys = {
-      choice<Strain, deform::StrainKind>("kind", &Strain::kind,
-                                         "Mean of a vertex's edges, or its larger principal strain, which shows shear "
-                                         "too (E24)."),
+      choice<Strain, deform::StrainKind>(
+          "kind", &Strain::kind,
+          "Mean strain of a vertex's edges, or its larger principal strain, which also shows shear (E24)."),
       number<Strain>("range_percent", &Strain::range_percent, above(0, 1000),
-                     "Strain that is drawn in full red (tension) or full blue (compression)."),
+                     "Strain drawn in full red (tension) or full blue (compression)."),
   };
   return section<Strain>("strain", "The colours of the written surfaces.", &Scene::strain, std::move(keys));
 }

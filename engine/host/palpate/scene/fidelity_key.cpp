@@ -12,7 +12,7 @@ bool readsLiteral(const Entry& entry) { return readChoice<Reading>(entry) == Rea
 void readErratum(Fidelity& fidelity, const Entry& entry, std::string_view name) {
   const Erratum erratum = erratumNamed(name);
   if (erratum == Erratum::none) {
-    entry.fail(fmt::format("is not an erratum; they are {} to {}, and \"all\"", nameOf(erratumOf(1)),
+    entry.fail(fmt::format("is not an erratum; expected {} to {}, or \"all\"", nameOf(erratumOf(1)),
                            nameOf(erratumOf(kErrata))));
   }
   try {

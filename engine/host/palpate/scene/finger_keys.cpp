@@ -17,18 +17,20 @@ constexpr std::size_t kMaxButtons = 32;  // bits of a word
 std::vector<Key<Step>> stepKeys(Move move) {
   using S = Step;
   std::vector<Key<S>> keys = {
-      choice<S, Move>("do", &S::move, "What the finger does."),
-      number<S>("seconds", &S::seconds, above(0, 3600), "How long it takes."),
+      choice<S, Move>("do", &S::move, "Movement of the finger."),
+      number<S>("seconds", &S::seconds, above(0, 3600), "Duration of the movement."),
   };
   const Range length = between(-kLongestMm, kLongestMm);
   if (move == Move::press)
-    keys.push_back(number<S>("depth_mm", &S::depth_mm, length, "Down to this depth in the skin."));
+    keys.push_back(number<S>("depth_mm", &S::depth_mm, length, "Depth in the skin to press to."));
   if (move == Move::lift)
-    keys.push_back(number<S>("height_mm", &S::height_mm, length, "Up to this height above the skin."));
-  if (move == Move::drag) keys.push_back(point2<S>("by_mm", &S::by_mm, length, "By this much along x and y."));
+    keys.push_back(number<S>("height_mm", &S::height_mm, length, "Height above the skin to lift to."));
+  if (move == Move::drag) keys.push_back(point2<S>("by_mm", &S::by_mm, length, "Distance to drag along x and y."));
   if (move == Move::circle) {
-    keys.push_back(number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Round the present place."));
-    keys.push_back(number<S>("turns", &S::turns, between(-1000, 1000), "Counter-clockwise; negative is clockwise."));
+    keys.push_back(
+        number<S>("radius_mm", &S::radius_mm, above(0, kLongestMm), "Radius of the circle around the current place."));
+    keys.push_back(number<S>("turns", &S::turns, between(-1000, 1000),
+                             "Number of turns, counter-clockwise; negative is clockwise."));
   }
   return keys;
 }
@@ -69,8 +71,8 @@ Key<Finger> scriptKey() {
     for (const TomlNode& node : *list) finger.steps.push_back(readStep({node, entry.file, entry.name}));
   };
   return {"script", "list of steps",
-          "What the finger does, step by step; see below. Default: with a place a press and a lift, without one a path "
-          "that suits the body.",
+          "Movements of the finger, step by step; see below. Default: with a place a press and a lift, without one a "
+          "path that suits the body.",
           read, showScript};
 }
 
@@ -82,32 +84,31 @@ Key<Finger> padKey() {
       entry.fail("= " + outOfRange(fmt::format("{}", finger.pad), kTaxels) + ", or 0");
     }
   };
-  return {"pad",
-          "whole number" + rangeSuffix(kTaxels) + ", or 0",
-          "Pad: taxels along a side of the finger's sensor of pressure, at least 2; 0 is none "
-          "(docs/explanation/lumps.md).",
-          read,
-          [](const Finger& finger) { return fmt::format("{}", finger.pad); },
-          {KeyForm::Kind::whole, 0.0, static_cast<double>(contact::kMaxTaxels)}};
+  return {
+      "pad",
+      "whole number" + rangeSuffix(kTaxels) + ", or 0",
+      "Pad: taxels along a side of the finger's pressure sensor, at least 2; 0 is none (docs/explanation/lumps.md).",
+      read,
+      [](const Finger& finger) { return fmt::format("{}", finger.pad); },
+      {KeyForm::Kind::whole, 0.0, static_cast<double>(contact::kMaxTaxels)}};
 }
 
 std::vector<Key<Finger>> fingerKeys() {
   using S = Finger;
   return {
-      text<S>("name", &S::name,
-              "Letters, digits, '-' and '_'; different for each finger. Default: index, middle, ring, ..."),
+      text<S>("name", &S::name, "Letters, digits, '-' and '_'; unique (default: index, middle, ring, ...)."),
       number<S>("radius_mm", &S::radius_mm, between(0, 1000), "0 is a point, 8 a fingertip."),
-      file<S>("trajectory", &S::trajectory, "Table t_s,x_mm,y_mm,z_mm; instead of a script."),
+      file<S>("trajectory", &S::trajectory, "Table t_s,x_mm,y_mm,z_mm, in place of a script."),
       text<S>("at", &S::at,
               "Script: the place it starts over, by name: \"T6\", \"left PSIS\", \"T6 right 30 mm\" "
               "(docs/reference/names.md)."),
       unlessNamed(point2<S>("at_mm", &S::at_mm, between(-kLongestMm, kLongestMm),
-                            "Script: the same in numbers, seen along z.")),
+                            "Script: the same place in coordinates, seen along z.")),
       number<S>("start_height_mm", &S::start_height_mm, between(-kLongestMm, kLongestMm),
-                "Script: height above the skin it starts from."),
+                "Script: height above the skin at the start."),
       scriptKey(),
       padKey(),
-      number<S>("pad_mm", &S::pad_mm, between(1, 100), "Pad: a side of its square of taxels."),
+      number<S>("pad_mm", &S::pad_mm, between(1, 100), "Pad: edge length of its square of taxels."),
   };
 }
 
@@ -136,18 +137,18 @@ std::vector<Key<DeviceSettings>> deviceKeys() {
   };
   return {
       text<S>("name", &S::name,
-              "As for `--device`, with :WHICH behind it where there are several (docs/reference/devices.md); of "
-              "plugins by their "
-              "names alone, never a path."),
-      choice<S, HeldFinger>("finger", &S::finger, "The one that it holds: the scene's first or second."),
-      number<S>("scale", &S::scale, between(0.05, 20), "Millimetres of the body a millimetre of the device."),
+              "Name as for `--device`, followed by :WHICH where there are several (docs/reference/devices.md); for "
+              "plugins only the plugin's name, never a path."),
+      choice<S, HeldFinger>("finger", &S::finger, "Finger that the device moves: the scene's first or second."),
+      number<S>("scale", &S::scale, between(0.05, 20), "Millimetres of the body per millimetre of the device."),
       point3<S>("turn_deg", &S::turn_deg, between(-360, 360),
-                "How the device stands: turned about the body's x, then y, then z."),
+                "Orientation of the device: rotation about the body's x, then y, then z."),
       place<S>("origin_mm", &S::origin_mm, between(-kLongestMm, kLongestMm),
-               "Place of the body where the device's own origin lies (default: near the back, as the body suits)."),
-      button("clutch_button", &S::clutch_button,
-             "While it is held the device moves and the finger stays, without force; 1 is the first, 0 none."),
-      button("stop_button", &S::stop_button, "Presses the emergency stop; likewise."),
+               "Place in the body of the device's own origin (default: near the back, by the body)."),
+      button(
+          "clutch_button", &S::clutch_button,
+          "Clutch: while held, the device moves and the finger stays, without force; 1 is the first button, 0 none."),
+      button("stop_button", &S::stop_button, "Button that triggers the emergency stop; 1 is the first, 0 none."),
   };
 }
 
@@ -174,8 +175,8 @@ Section fingerSection() {
     pressNamedPlace(table, finger);
     return finger;
   };
-  return listSection<Finger>("finger", "Who touches it: any number of fingers, each on its own.", &Scene::fingers, read,
-                             fingerKeys(), describeFinger);
+  return listSection<Finger>("finger", "Any number of fingers that touch the body, independent of each other.",
+                             &Scene::fingers, read, fingerKeys(), describeFinger);
 }
 
 Section deviceSection() {
@@ -185,9 +186,9 @@ Section deviceSection() {
     if (device.name.empty()) entry.fail("needs a name");
     return device;
   };
-  return listSection<DeviceSettings>("device", "What holds a finger, and where its space lies in the body.",
-                                     &Scene::devices, read, deviceKeys(),
-                                     [] { return describe<DeviceSettings>("[[device]]", deviceKeys()); });
+  return listSection<DeviceSettings>(
+      "device", "A device that moves a finger, and the placement of its workspace in the body.", &Scene::devices, read,
+      deviceKeys(), [] { return describe<DeviceSettings>("[[device]]", deviceKeys()); });
 }
 
 }  // namespace palpate::scene

@@ -25,7 +25,8 @@ Key<S> halfAxesKey() {
                              : std::string();
   };
   return {"half_axes_mm", "three numbers" + rangeSuffix(kHalfAxes),
-          "Of a flat or a long lump, in place of the diameter: across, across (the same), into the body.", read, show};
+          "Half axes of a flat or a long lump, in place of the diameter: across, across (equal), into the body.", read,
+          show};
 }
 
 Key<S> youngKey() {
@@ -48,7 +49,7 @@ Key<S> mobilityKey() {
   };
   return {"mobility_mm_per_n",
           "number" + rangeSuffix(kMobilities) + ", or 0",
-          "How far it moves under 1 N sideways; 0 is fixed.",
+          "Sideways motion under 1 N; 0 is fixed.",
           read,
           [](const S& lump) { return showNumber(lump.mobility_mm_per_n); },
           {KeyForm::Kind::number, 0.0, kMobilities.high}};
@@ -65,25 +66,29 @@ Key<S> unless(Key<S> key, std::function<bool(const S&)> replaced) {
 std::vector<Key<S>> lumpKeys() {
   const Range place = between(-kLongestMm, kLongestMm);
   return {
-      text<S>("name", &S::name, "Different for each lump; default: lump1, lump2, ..."),
-      text<S>("at", &S::at, "The skin over its middle by name: \"T9 right 30 mm\" (docs/reference/names.md)."),
-      unlessNamed(number<S>("x_mm", &S::x_mm, place, "The same in numbers, seen along z.")),
-      unlessNamed(number<S>("y_mm", &S::y_mm, place, "The same in numbers, seen along z.")),
+      text<S>("name", &S::name, "Unique name (default: lump1, lump2, ...)."),
+      text<S>("at", &S::at,
+              "Place on the skin above its centre, by name: \"T9 right 30 mm\" (docs/reference/names.md)."),
+      unlessNamed(number<S>("x_mm", &S::x_mm, place, "The same place in coordinates, seen along z.")),
+      unlessNamed(number<S>("y_mm", &S::y_mm, place, "The same place in coordinates, seen along z.")),
       number<S>("depth_mm", &S::depth_mm, above(0, 1000),
-                "Of its top under the skin at rest, along the normal; at least 0.5 mm under the skin's own layer."),
-      unless(number<S>("diameter_mm", &S::diameter_mm, kDiameters, "Of a ball."),
+                "Depth of its top below the skin at rest, along the normal; at least 0.5 mm below the skin layer."),
+      unless(number<S>("diameter_mm", &S::diameter_mm, kDiameters, "Diameter of a spherical lump."),
              [](const S& lump) { return lump.half_axes_mm.has_value(); }),
       halfAxesKey(),
-      unless(number<S>("stiffness_ratio", &S::stiffness_ratio, kRatios,
-                       "Young's modulus over that of the layer at its centre; below 1 a softer lump, such as a cyst."),
-             [](const S& lump) { return lump.young_kpa > 0.0; }),
+      unless(
+          number<S>(
+              "stiffness_ratio", &S::stiffness_ratio, kRatios,
+              "Young's modulus divided by that of the layer at its centre; below 1 is a softer lump, such as a cyst."),
+          [](const S& lump) { return lump.young_kpa > 0.0; }),
       youngKey(),
       number<S>("edge", &S::edge, between(0, 1),
-                "Share of the radius over which its modulus falls smoothly to the tissue's; 0 is sharp."),
+                "Fraction of the radius over which its modulus falls smoothly to the tissue's; 0 is a sharp edge."),
       mobilityKey(),
-      number<S>("mobility_limit_mm", &S::mobility_limit_mm, above(0, 100), "It moves no farther from its place."),
+      number<S>("mobility_limit_mm", &S::mobility_limit_mm, above(0, 100),
+                "Maximum distance that it moves from its place."),
       number<S>("raise_mm", &S::raise_mm, between(0, 10),
-                "A swelling at rest: how far the skin over it is raised, as a smooth cap."),
+                "Swelling at rest: height to which the skin above it is raised, as a smooth cap."),
   };
 }
 
@@ -109,10 +114,10 @@ Section lumpSection() {
     if (const TomlNode* depth = table.get("depth_mm")) lump.depth_line = depth->line();
     return lump;
   };
-  return listSection<S>("lump",
-                        "Something under the skin: a node, a cyst, a hard band. Needs layered tissue "
-                        "(docs/explanation/lumps.md).",
-                        &Scene::lumps, read, lumpKeys(), [] { return describe<S>("[[lump]]", lumpKeys()); });
+  return listSection<S>(
+      "lump",
+      "A lump under the skin: a node, a cyst, a hard band. Requires layered tissue (docs/explanation/lumps.md).",
+      &Scene::lumps, read, lumpKeys(), [] { return describe<S>("[[lump]]", lumpKeys()); });
 }
 
 }  // namespace palpate::scene

@@ -13,7 +13,7 @@ Section outputSection() {
                  "Times at which the deformed skin is written, with displacement and strain."),
       flag<S>("forces", &S::forces, "Write forces.csv: every finger in every tick."),
   };
-  return section<S>("output", "What is written.", &Scene::output, std::move(keys));
+  return section<S>("output", "Files to write.", &Scene::output, std::move(keys));
 }
 
 }  // namespace
@@ -21,10 +21,10 @@ Section outputSection() {
 const std::vector<Key<Scene>>& topKeys() {
   using S = Scene;
   static const std::vector<Key<S>> keys = {
-      text<S>("title", &S::title, "What the report calls the run."),
+      text<S>("title", &S::title, "Title of the run in the report."),
       fidelityKey(),
       number<S>("seconds", &S::seconds, between(0, 10800),
-                "How long it runs; 0 is until the last finger has finished."),
+                "Duration of the run; 0 is until the last finger has finished."),
       number<S>("ticks_per_s", &S::ticks_per_s, between(100, 10000), "Rate of the servo loop."),
   };
   return keys;

@@ -29,16 +29,15 @@ Key<contact::FingerSettings> skinKey() {
     }
     return {};
   };
-  return {
-      .name = "skin",
-      .takes = formatChoices(frictionNames()),
-      .meaning =
-          "Both coefficients by what is on the skin: dry is 0.46 and 0.44, oiled 0.2 and 0.2 "
-          "(docs/reference/tissue-tables.md has the sources); where static or dynamic is written too, that one counts.",
-      .read = read,
-      .show = show,
-      .form = {KeyForm::Kind::choice, 0.0, 0.0, frictionNames()},
-      .first = true};
+  return {.name = "skin",
+          .takes = formatChoices(frictionNames()),
+          .meaning =
+              "Both coefficients by skin condition: dry is 0.46 and 0.44, oiled 0.2 and 0.2 (sources: "
+              "docs/reference/tissue-tables.md); static or dynamic, if set, takes precedence.",
+          .read = read,
+          .show = show,
+          .form = {KeyForm::Kind::choice, 0.0, 0.0, frictionNames()},
+          .first = true};
 }
 
 }  // namespace
@@ -47,11 +46,13 @@ Section frictionSection() {
   using S = contact::FingerSettings;
   std::vector<Key<S>> keys = {
       skinKey(),
-      number<S>("static", &S::mu_static, between(0, 5), "Coefficient up to which the skin sticks to the finger."),
-      number<S>("dynamic", &S::mu_dynamic, between(0, 5), "Coefficient while the finger slips; not above static."),
+      number<S>("static", &S::mu_static, between(0, 5),
+                "Friction coefficient up to which the skin sticks to the finger."),
+      number<S>("dynamic", &S::mu_dynamic, between(0, 5),
+                "Friction coefficient while the finger slips; at most static."),
       number<S>("stiffness_ratio", &S::stiffness_ratio, above(0, 100),
-                "Tangential over normal stiffness. Tissue has 0.6 to 1.1; 0.23 lets half-Gaussian tissue follow 20 mm "
-                "at 10 mm depth, as the dissertation has it (E2)."),
+                "Tangential divided by normal stiffness. Tissue has 0.6 to 1.1; with 0.23 half-Gaussian tissue follows "
+                "20 mm at 10 mm depth, as in the dissertation (E2)."),
   };
   return section<S>("friction", "How the skin holds the finger.", way(&Scene::contact, &ContactSettings::finger),
                     std::move(keys), [](const S& friction, const Entry& entry) {
@@ -65,20 +66,17 @@ Section contactSection() {
   const auto finger = [](auto F::*member) { return way(&S::finger, member); };
   std::vector<Key<S>> keys = {
       choice<S, ContactSource>("source", &S::source,
-                               "What a finger collides with: the whole skin, or only the triangles near the proxy that "
-                               "the [partition] gives, as in the dissertation (docs/explanation/contact.md)."),
-      choice<S, HapticSurface>(
-          "haptic_surface", &S::haptic_surface,
-          "What the surface that is felt does under a press (the dissertation's 2.3): it stays; it gives way by the "
-          "force over the stiffness, which leaves half the stiffness and half the depth to the skin; or it does so "
-          "with "
-          "the stiffness doubled, which brings the force back."),
-      number<S>(
-          "max_depth_mm", finger(&F::max_depth_mm), above(0, kLongestMm),
-          "The deepest that is felt; a tip that is out of the body and farther than this from its proxy is let go."),
+                               "What a finger collides with: the whole skin, or only the triangles near the proxy "
+                               "found by the [partition], as in the dissertation (docs/explanation/contact.md)."),
+      choice<S, HapticSurface>("haptic_surface", &S::haptic_surface,
+                               "How the haptic surface reacts to a press (dissertation, 2.3): it stays; it yields by "
+                               "force divided by stiffness, which halves the stiffness and the depth of the skin; or "
+                               "it yields with doubled stiffness, which restores the force."),
+      number<S>("max_depth_mm", finger(&F::max_depth_mm), above(0, kLongestMm),
+                "Maximum depth that is felt; a tip outside the body and farther than this from its proxy is released."),
       number<S>(
           "catch_up_mm_per_s", finger(&F::catch_up_mm_per_s), above(0, 1e6),
-          "The proxy moves at most twice as far as the tip plus this speed; bounds the change of force at ridges."),
+          "The proxy moves at most twice as far as the tip, plus this speed; limits jumps of the force at ridges."),
       flag<S>("force_shading", finger(&F::force_shading), "Smooth the force over coarse triangles."),
   };
   return section<S>("contact", "How the finger meets the surface.", &Scene::contact, std::move(keys));
@@ -89,24 +87,24 @@ Section partitionSection() {
   using B = hdb::BuildSettings;
   const auto build = [](auto B::*member) { return way(&S::build, member); };
   std::vector<Key<S>> keys = {
-      choice<S, hdb::TreeKind>("tree", build(&B::tree), "How space is divided."),
-      choice<S, hdb::Assignment>(
-          "assign", build(&B::assignment),
-          "A triangle across a plane is cut (A), goes to both sides (B) or to the side with most of it (C)."),
-      count<S, Index>("threshold", build(&B::threshold), 1, 100'000'000, "A leaf holds at most so many triangles."),
+      choice<S, hdb::TreeKind>("tree", build(&B::tree), "How space is partitioned."),
+      choice<S, hdb::Assignment>("assign", build(&B::assignment),
+                                 "A triangle that crosses a plane is cut (A), assigned to both sides (B), or to the "
+                                 "side with most of it (C)."),
+      count<S, Index>("threshold", build(&B::threshold), 1, 100'000'000, "Maximum number of triangles in a leaf."),
       number<S>("hdb_fraction", &S::hdb_fraction, above(0, 100),
-                "Edge of the haptic detecting box as a share of the longest edge of the body."),
-      number<S>("hdb_edge_mm", &S::hdb_edge_mm, between(0, kLongestMm), "Edge of that box; 0 is by hdb_fraction."),
-      choice<S, hdb::HdbQuery>("query", &S::query,
-                               "What may be touched: all triangles of the leaves that the box meets, those that it "
-                               "meets itself, a list of these that is made again only when the box leaves it, or the "
-                               "same in a linked list that follows the box."),
+                "Edge of the haptic detecting box as a fraction of the longest edge of the body."),
+      number<S>("hdb_edge_mm", &S::hdb_edge_mm, between(0, kLongestMm), "Edge of that box; 0 uses hdb_fraction."),
+      choice<S, hdb::HdbQuery>(
+          "query", &S::query,
+          "Candidate triangles: all in the leaves that the box touches, those that it touches itself, a list of these "
+          "rebuilt only when the box leaves it, or a linked list that follows the box."),
       choice<S, std::optional<hdb::LiteralTraversal>>(
           "traversal", &S::traversal,
-          "How the leaves are found: all of them, or as printed, with its gaps; where it says "
-          "\"tight\", fidelity may still ask for a printed one (E4, E5, E10)."),
+          "How the leaves are found: completely, or as printed, with gaps; with \"tight\", fidelity can still select a "
+          "printed variant (E4, E5, E10)."),
       number<S>("refresh_s", &S::refresh_s, between(0, 60),
-                "The box follows the proxy every so many seconds; 0 is every tick."),
+                "Interval at which the box follows the proxy; 0 is every tick."),
   };
   return section<S>("partition", "Where a finger of the contact source \"hdb\" finds its triangles.", &Scene::partition,
                     std::move(keys));
@@ -120,13 +118,14 @@ std::vector<Key<TissueSettings>> relaxationKeys() {
   const auto term = [](auto R::*member) { return way(&S::relaxation, member); };
   return {
       number<S>("relaxation", term(&R::share), between(0, contact::kMaxRelaxation),
-                "Share by which the force of a press that is held falls in time (docs/explanation/force-laws.md); 0 is "
-                "none, 0.15 what living limbs may have."),
+                "Fraction by which the force of a held press decays (docs/explanation/force-laws.md); 0 is none, 0.15 "
+                "is plausible for living limbs."),
       number<S>("relaxation_s", term(&R::time_s), between(0.01, 1000),
-                "Relaxation: the time in which it falls by 63 % of that."),
+                "Relaxation: time constant (63 % of that decay)."),
       number<S>("relaxation_2", term(&R::share_2), between(0, contact::kMaxRelaxation),
-                "Relaxation: a second share, which falls at its own pace; the two together at most 0.9."),
-      number<S>("relaxation_2_s", term(&R::time_2_s), between(0.01, 1000), "Relaxation: the second one's time."),
+                "Relaxation: a second fraction with its own time constant; both together at most 0.9."),
+      number<S>("relaxation_2_s", term(&R::time_2_s), between(0.01, 1000),
+                "Relaxation: time constant of the second fraction."),
   };
 }
 
@@ -137,43 +136,41 @@ Section tissueSection() {
   using L = tissue::ForceLaw;
   const auto law = [](auto L::*member) { return way(&S::force_law, member); };
   std::vector<Key<S>> keys = {
-      choice<S, L::Kind>(
-          "force_law", law(&L::kind),
-          "Normal force by depth (docs/explanation/force-laws.md): stiffness times depth; a power of the depth; a "
-          "stiffness that grows along a Gaussian; measured; by the layers of the place, linear where there are none. "
-          "All agree with the stiffness map at reference_depth_mm."),
-      number<S>("exponent", law(&L::exponent), between(1, 3), "Power: of the depth; layered tissue has 1.5 to 1.8."),
-      number<S>(
-          "reference_depth_mm", law(&L::reference_depth_mm), above(0, 1000),
-          "The depth at which every law pushes as hard as the linear one: what the stiffness map means. Layers: 8."),
+      choice<S, L::Kind>("force_law", law(&L::kind),
+                         "Normal force by depth (docs/explanation/force-laws.md): stiffness times depth; a power of "
+                         "the depth; a stiffness that grows along a Gaussian; a measured table; or the local layers, "
+                         "linear where there are none. All agree with the stiffness map at reference_depth_mm."),
+      number<S>("exponent", law(&L::exponent), between(1, 3),
+                "Power law: exponent of the depth; layered tissue has 1.5 to 1.8."),
+      number<S>("reference_depth_mm", law(&L::reference_depth_mm), above(0, 1000),
+                "Depth at which every law gives the same force as the linear one, and to which the stiffness map "
+                "refers. Layers: 8."),
       number<S>("stiffening_ratio", law(&L::stiffening_ratio), above(0, 100),
-                "Stiffening: the stiffness deep down over that of a light touch."),
+                "Stiffening law: stiffness at depth divided by that of a light touch."),
       number<S>("stiffening_depth_mm", law(&L::stiffening_depth_mm), above(0, 1000),
-                "Stiffening: the depth at which that stiffness is reached."),
-      file<S>("force_table", &S::force_table, "Table: rows depth_mm,force_n; scaled so that it agrees with the map."),
-      number<S>(
-          "fat_mm", &S::fat_mm, between(0, 60),
-          "Layered tissue: fat between skin and muscle; 0 is by the body's mass (4 mm at a mass index of 18, 8 at "
-          "22, 15 at 30), and less where there is no room for it."),
+                "Stiffening law: depth at which that stiffness is reached."),
+      file<S>("force_table", &S::force_table,
+              "Table law: file of rows depth_mm,force_n; scaled to agree with the map."),
+      number<S>("fat_mm", &S::fat_mm, between(0, 60),
+                "Layered tissue: fat between skin and muscle; 0 derives it from the body mass index (4 mm at 18, 8 at "
+                "22, 15 at 30), less where there is no room."),
       file<S>("layer_table", &S::layer_table,
-              "Layered tissue: one stack for every place, from palpate tissue solve or palpate tissue fit profile; "
-              "default: the library's stacks by thickness."),
-      flag<S>(
-          "by_finger_radius", &S::by_finger_radius,
-          "Layered law: a larger finger is pushed back harder (1 to 24 mm; beyond, the nearest counts); false: every "
-          "finger feels what one of 8 mm does."),
+              "Layered tissue: one layer table for the whole body, from palpate tissue solve or palpate tissue fit "
+              "profile (default: the library's tables by thickness)."),
+      flag<S>("by_finger_radius", &S::by_finger_radius,
+              "Layered law: a larger finger meets a larger force (radius 1 to 24 mm, clamped beyond); false: every "
+              "finger feels what one of 8 mm does."),
       number<S>("point_radius_mm", &S::point_radius_mm, between(1, 24),
-                "Layered law: the radius that a finger of radius 0 is felt with."),
+                "Layered law: radius assumed for a finger of radius 0."),
       flag<S>("narrow_bone", &S::narrow_bone,
-              "Layered law: bone that is narrow under the skin, as a spinous process or a rib, pushes back less than a "
-              "wide one; false: all bone counts as wide."),
+              "Layered law: narrow bone, such as a spinous process or a rib, pushes back less than wide bone; false "
+              "treats all bone as wide."),
   };
   const std::vector<Key<S>> relaxation = relaxationKeys();
   keys.insert(keys.end(), relaxation.begin(), relaxation.end());
   keys.push_back(choice<S, LumpForce>("lumps", &S::lumps,
-                                      "Force of a [[lump]]: by the field of a press without it; or set right on its "
-                                      "axis by a solve of the lump itself, "
-                                      "some seconds each."));
+                                      "Force of a [[lump]]: from the field of a press without it, or corrected on its "
+                                      "axis by solving the lump itself (a few seconds each)."));
   return section<S>(
       "tissue", "How force grows with depth, and falls with time.", &Scene::tissue, std::move(keys),
       [](const S& tissue, const Entry& entry) {
@@ -192,41 +189,43 @@ Section safetySection() {
   using S = SafetySettings;
   std::vector<Key<S>> keys = {
       choice<S, DeviceModel>("device", &S::device,
-                             "Whose limits hold without an open device; one that is open has its own."),
+                             "Device whose limits apply when no device is open; an open device has its own."),
       number<S>("nominal_force_n", &S::nominal_force_n, between(0, 100),
-                "Largest force sent to the device, never above its own; 0 is that (3.3 for a device of unknown type)."),
-      number<S>(
-          "stiffness_cap_n_per_mm", &S::stiffness_cap_n_per_mm, between(0, 100),
-          "Stiffest that a hand may feel anywhere, never above what the device, delay_ticks and ticks_per_s allow; "
-          "0 is that. All places are softened by one factor, and above 1 N their slopes are held. Only "
-          "--unsafe-stiffness allows more."),
-      number<S>(
-          "delay_ticks", &S::delay_ticks, between(0, 6),
-          "From sampling the pose to the force taking effect, in ticks, with the amplifier's lag; at least what an "
-          "open device has."),
+                "Maximum force sent to the device, at most the device's own limit; 0 uses that limit (3.3 for an "
+                "unknown device)."),
+      number<S>("stiffness_cap_n_per_mm", &S::stiffness_cap_n_per_mm, between(0, 100),
+                "Maximum stiffness felt anywhere, at most what the device, delay_ticks and ticks_per_s allow; 0 uses "
+                "that. The whole body is softened by one factor, and above 1 N slopes are limited. Only "
+                "--unsafe-stiffness allows more."),
+      number<S>("delay_ticks", &S::delay_ticks, between(0, 6),
+                "Delay from sampling the pose to the force taking effect, including the amplifier's lag; at least that "
+                "of the open device."),
       number<S>("device_damping_n_s_per_mm", &S::device_damping_n_s_per_mm, between(0, 1),
-                "Measured on this very device; 0 is the assumption for its kind."),
-      number<S>("device_friction_n", &S::device_friction_n, between(0, 100), "Likewise."),
+                "Damping measured on this device; 0 uses the default for its type."),
+      number<S>("device_friction_n", &S::device_friction_n, between(0, 100),
+                "Friction measured on this device; 0 uses the default for its type."),
       flag<S>("passivity", &S::passivity,
-              "Take away what the sampled loop gives beyond the skin's own law. Stays on where a device is open."),
+              "Remove the energy that the sampled loop adds to the skin's own law. Always on while a device is open."),
       flag<S>("soft_contact", &S::soft_contact,
-              "A fast first touch meets a soft toe of the force law. Stays on where a device is open."),
+              "Softens the start of the force law for a fast first touch. Always on while a device is open."),
       choice<S, StartRule>("start", &S::start,
-                           "Where the tip is inside at the start, or after a fault: no force until it has been outside "
-                           "once, or one that grows over ramp_s."),
-      number<S>("ramp_s", &S::ramp_s, between(0, 60), "With start = \"ramp\"."),
-      number<S>("max_age_ticks", &S::max_age_ticks, between(0, 1000), "An older pose is a fault: no force."),
+                           "If the tip is inside at the start or after a fault: no force until it has been outside "
+                           "once, or a force that grows over ramp_s."),
+      number<S>("ramp_s", &S::ramp_s, between(0, 60), "With start = \"ramp\": time over which the force grows."),
+      number<S>("max_age_ticks", &S::max_age_ticks, between(0, 1000), "A pose older than this is a fault: no force."),
       number<S>("max_jump_mm", &S::max_jump_mm, above(0, 1e6),
-                "A tip that moves farther in a tick, and faster than max_tip_speed_mm_per_s, is a fault: no force."),
+                "A tip that moves farther than this in a tick, and faster than max_tip_speed_mm_per_s, is a fault: no "
+                "force."),
       number<S>("max_tip_speed_mm_per_s", &S::max_tip_speed_mm_per_s, above(0, 1e9), "See max_jump_mm."),
       number<S>("max_force_rate_n_per_ms", &S::max_force_rate_n_per_ms, above(0, 1e6),
-                "A force that grows faster is a fault: no force."),
-      number<S>("slew_per_motion", &S::slew_per_motion, between(0, 1000), "Without effect; goes with version 0.4."),
-      number<S>("slew_mm", &S::slew_mm, above(0, 1000), "Without effect; goes with version 0.4."),
+                "A force that grows faster than this is a fault: no force."),
+      number<S>("slew_per_motion", &S::slew_per_motion, between(0, 1000), "No effect; will be removed in version 0.4."),
+      number<S>("slew_mm", &S::slew_mm, above(0, 1000), "No effect; will be removed in version 0.4."),
       number<S>("passivity_allowance_n_mm", &S::passivity_allowance_n_mm, between(0, 1e6),
-                "Without effect; goes with version 0.4."),
+                "No effect; will be removed in version 0.4."),
   };
-  return section<S>("safety", "What a device may do to a hand; never changes forces.csv's contact force.",
+  return section<S>("safety",
+                    "Limits on what a device may do to a hand; never changes the contact force in forces.csv.",
                     &Scene::safety, std::move(keys));
 }
 

@@ -48,53 +48,52 @@ Section viewSection() {
   constexpr double kAround = 180.0;
   constexpr double kAlmostAbove = 89.0;
   std::vector<Key<V>> keys = {
-      choice<V, StandardView>("side", &V::side, "From where one looks; table: from beside a lying body, on its left."),
+      choice<V, StandardView>("side", &V::side, "Side to look from; table: from beside a lying body, on its left."),
       number<V>("yaw_deg", &V::yaw_deg, between(-kAround, kAround),
-                "Turned from that side; positive sees more of the patient's right."),
+                "Rotation from that side; positive shows more of the patient's right."),
       number<V>("pitch_deg", &V::pitch_deg, between(-kAlmostAbove, kAlmostAbove),
-                "Turned from that side; positive looks from above."),
+                "Elevation from that side; positive looks from above."),
       number<V>("zoom", &V::zoom, between(0.01, 1000), "1 shows the whole body; larger is nearer."),
       place<V>("look_at_mm", &V::look_at_mm, kPlaces,
                "Place in the middle of the picture (default: the middle of the body)."),
       number<V>("distance_mm", &V::distance_mm, between(0, kFarthestMm),
-                "Of the eye from that place; 0 is so far that zoom 1 shows the whole body."),
+                "Distance of the eye from that place; 0 is the distance at which zoom 1 shows the whole body."),
       choice<V, Shading>("shading", &V::shading, "Light at the vertices, or skin."),
-      choice<V, Colouring>("colours", &V::colours, "What the colour of the skin says."),
+      choice<V, Colouring>("colours", &V::colours, "Quantity shown by the colour of the skin."),
       text<V>("scalar", &V::scalar,
               "With colours = \"scalar\": which number of the body's PLY file; empty: the first."),
-      choice<V, ColourMap>("scalar_map", &V::scalar_map, "The colours of that number."),
+      choice<V, ColourMap>("scalar_map", &V::scalar_map, "Colour map of that value."),
       range("scalar_range", &V::scalar_range,
-            "Values of the two ends of its colours (default: its least and greatest)."),
+            "Values at the two ends of its colour map (default: its minimum and maximum)."),
       range("stiffness_range_n_per_mm", &V::stiffness_range_n_per_mm,
             "Ends of the colours of colours = \"stiffness\" (default: the body's softest and stiffest place)."),
       range("ellipse_range_mm", &V::ellipse_range_mm,
             "Ends of the colours of colours = \"ellipse-map\", half major axes (default: the body's)."),
-      overlayList("show", &V::show, "What is drawn over the skin (docs/howto/pictures.md)."),
-      number<V>("opacity", &V::opacity, between(0, 1), "Of the skin; below 1 the bones show through."),
-      number<V>("skin_tone", &V::skin_tone, between(1, 6),
-                "Of the skin, from very light to very dark, about as Fitzpatrick's types; fractions lie between two."),
+      overlayList("show", &V::show, "Overlays drawn over the skin (docs/howto/pictures.md)."),
+      number<V>("opacity", &V::opacity, between(0, 1), "Opacity of the skin; below 1 the bones show through."),
       number<V>(
-          "dent_contrast", &V::dent_contrast, between(0, 5),
-          "How strongly dents are shaded: 0 not at all, 1 as it would be near by and stronger where the dent is small "
-          "in the picture, which then has contours 0.5, 2.5, 4.5 ... mm deep; above 1 all of it is exaggerated, and "
-          "the "
-          "picture says so."),
+          "skin_tone", &V::skin_tone, between(1, 6),
+          "Tone of the skin, from very light to very dark, roughly the Fitzpatrick types; fractions interpolate."),
+      number<V>("dent_contrast", &V::dent_contrast, between(0, 5),
+                "Shading of dents: 0 is none, 1 is natural in close views and stronger where the dent is small in the "
+                "picture, with contours at 0.5, 2.5, 4.5 ... mm; above 1 exaggerates both, and the picture says so."),
       choice<V, FingerShape>(
           "finger", &V::finger,
-          "What a finger looks like: auto draws fingers, and in the window hands where they are drawn fast "
-          "enough."),
-      flag<V>("lens", &V::lens, "A close view from beside the finger in a corner of the picture."),
-      flag<V>("white_background", &V::white_background, "White paper instead of grey."),
+          "Shape of the fingers: auto draws fingers, and in the window hands if they are drawn fast enough."),
+      flag<V>("lens", &V::lens, "Close-up from beside the finger in a corner of the picture."),
+      flag<V>("white_background", &V::white_background, "White background instead of grey."),
       flag<V>("texture", &V::texture,
-              "The picture that [body] texture names, or the colours of a PLY file, on the skin."),
-      flag<V>("detail", &V::detail, "Skin lines, where skin is seen from near by."),
-      choice<V, StereoMode>("stereo", &V::stereo, "How two eyes share one picture."),
-      number<V>("eye_distance_mm", &V::eye_distance_mm, between(0, 200), "Between the eyes; 0 is as good as mono."),
+              "Show the picture named by [body] texture, or the colours of a PLY file, on the skin."),
+      flag<V>("detail", &V::detail, "Show skin lines in close views."),
+      choice<V, StereoMode>("stereo", &V::stereo, "Stereo mode: how one picture holds the views of both eyes."),
+      number<V>("eye_distance_mm", &V::eye_distance_mm, between(0, 200),
+                "Distance between the eyes; 0 is the same as mono."),
       number<V>("convergence_mm", &V::convergence_mm, between(0, kFarthestMm),
-                "From the eyes to what appears in the plane of the screen; 0 is the middle of the picture."),
-      flag<V>("swap_eyes", &V::swap_eyes, "For screens or glasses that are the other way round."),
+                "Distance from the eyes to the plane of the screen; 0 is the distance of the picture's middle."),
+      flag<V>("swap_eyes", &V::swap_eyes, "Swap the eyes, for screens or glasses that are the other way round."),
       place<V>("head_mm", &V::head_mm, kPlaces,
-               "Where the head is before a real screen, from the screen's middle: right, up, towards the head (> 0)."),
+               "Position of the head in front of a real screen, from the screen's middle: right, up, towards the head "
+               "(> 0)."),
       number<V>("screen_height_mm", &V::screen_height_mm, above(0, kFarthestMm),
                 "With head_mm: height of that screen, which then shows the body at true size."),
   };
@@ -103,7 +102,7 @@ Section viewSection() {
       entry.fail("head_mm must be in front of the screen: third number > 0");
     }
   };
-  return section<V>("view", "How pictures of it look.", &Scene::view, std::move(keys), check);
+  return section<V>("view", "Appearance of pictures and of the window.", &Scene::view, std::move(keys), check);
 }
 
 }  // namespace palpate::scene

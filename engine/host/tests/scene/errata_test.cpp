@@ -84,7 +84,7 @@ TEST(Fidelity, SwitchesAllErrataAtOnceOrSingleOnes) {
 TEST(Fidelity, SaysWhatItCannotSwitch) {
   const auto message = [](const std::string& lines) { return support::thrownMessage([&] { fidelityOf(lines); }); };
   EXPECT_EQ(message("title = \"x\"\nfidelity.E99 = \"literal\""),
-            "s.toml:2: fidelity.E99 is not an erratum; they are E1 to E34, and \"all\"");
+            "s.toml:2: fidelity.E99 is not an erratum; expected E1 to E34, or \"all\"");
   EXPECT_EQ(message("fidelity.E22 = \"literal\""), "s.toml:1: E22 has no literal form: nothing to switch");
   EXPECT_EQ(message("fidelity.E24 = \"literal\""), "s.toml:1: fidelity: E24 cannot be switched here; see strain.kind");
   EXPECT_EQ(message("fidelity.E14 = \"printed\""),

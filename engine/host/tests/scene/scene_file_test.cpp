@@ -255,7 +255,7 @@ TEST(SceneFile, PrintsARowOfEveryKeyAndCountsThem) {
   EXPECT_EQ(rows.size(), kSceneKeys);
   const std::string page = keysAsMarkdown();
   for (const KeyRow& row : rows) EXPECT_NE(page.find("\n| `" + row.key + "` | "), std::string::npos) << row.key;
-  EXPECT_NE(page.find("\n### `[body]`\n\nWhat is touched.\n\n| key | takes | default | meaning |\n"),
+  EXPECT_NE(page.find("\n### `[body]`\n\nThe body that is touched.\n\n| key | takes | default | meaning |\n"),
             std::string::npos);
 }
 

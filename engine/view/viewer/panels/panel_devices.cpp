@@ -156,8 +156,8 @@ void workspaceWidgets(const Part& part) {
   scene::DeviceSettings now = settingsNow(part);
   bool changed = part.number(now.scale, "scale",
                              {"", "scale", "%.2f", 0.1, 5.0, 1.0,
-                              "Millimetres of the body a millimetre of the device. More is stiffer "
-                              "in the hand, so the limits are taken down with it."});
+                              "Millimetres of the body per millimetre of the device. More is stiffer in the hand, so "
+                              "the limits are taken down with it."});
   static constexpr std::array<const char*, 3> kTurns = {"turn_x", "turn_y", "turn_z"};
   static constexpr std::array<const char*, 3> kTurnLabels = {toTranslate("turn x"), toTranslate("turn y"),
                                                              toTranslate("turn z")};

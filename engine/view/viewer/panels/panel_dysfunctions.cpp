@@ -25,11 +25,11 @@ void drawFields(const DysfunctionEdit& edit, maps::Dysfunction& item, const std:
          trf("change {}", name));
   placeField("dysfunctions", edit, item, name);
   slider(edit, item.radius_mm,
-         {"dysfunctions/radius", "radius", "%.1f mm", 2.0, 100.0, 15.0, "Outside nothing changes."},
+         {"dysfunctions/radius", "radius", "%.1f mm", 2.0, 100.0, 15.0, "Nothing changes outside this radius."},
          trf("resize {}", name));
   slider(edit, item.edge_softness,
          {"dysfunctions/edge", "soft edge", "%.2f", 0.0, 1.0, 0.5,
-          "Share of the radius over which the change fades out; 0 is a hard edge."},
+          "Fraction of the radius over which the change fades out; 0 is a hard edge."},
          trf("soften {}", name));
   placeNumbers("dysfunctions/x", "dysfunctions/y", edit, item, name);
 }

@@ -55,8 +55,7 @@ void hardnessField(const LumpEdit& edit, scene::LumpSettings& item, const std::s
 void mobilityField(const LumpEdit& edit, scene::LumpSettings& item, const std::string& name) {
   constexpr double kLeastMobility = 0.1;  // least in a scene file; below, it is fixed
   if (!slider(edit, item.mobility_mm_per_n,
-              {"lumps/mobility", "mobility", "%.1f mm/N", 0.0, 100.0, 0.0,
-               "How far it moves under 1 N sideways; 0 is fixed."},
+              {"lumps/mobility", "mobility", "%.1f mm/N", 0.0, 100.0, 0.0, "Sideways motion under 1 N; 0 is fixed."},
               trf("loosen {}", name))) {
     return;
   }
