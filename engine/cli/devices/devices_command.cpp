@@ -102,17 +102,19 @@ void runDevices(const DevicesOptions& options) {
 }  // namespace
 
 void addDevicesCommand(Command& app) {
-  Command* command = app.add_subcommand("devices", "Which devices can be held, and why the others cannot");
+  Command* command = app.add_subcommand("devices", "List haptic devices and say why unavailable ones cannot be opened");
   command->group("Touch");
   const auto options = std::make_shared<DevicesOptions>();
-  addDeviceOption(*command, options->names, "Ask for this one only; exit code 1 when it is not there");
-  command->add_flag("--doctor", options->doctor,
-                    "Everything that was looked for; open what is there, without force, and measure rate, delay and "
-                    "jitter");
+  addDeviceOption(*command, options->names, "Check only this device; exit code 1 when it is unavailable");
+  command->add_flag(
+      "--doctor", options->doctor,
+      "List everything that was searched for; open available devices without force and measure rate, delay and jitter");
   command->add_flag("--identify", options->identify,
-                    "Swing one device that is let go, by a soft spring, and say its mass, damping, friction and delay");
-  command->add_flag("--realtime", options->realtime, "With --identify: a simulated device by the clock, as a real one");
-  addSetting(*command, "--seconds", options->seconds, between(0.1, 60.0, "s"), "How long --doctor measures a device");
+                    "Swing one released device with a soft spring and print its mass, damping, friction and delay");
+  command->add_flag("--realtime", options->realtime,
+                    "With --identify: run a simulated device in real time, like a real one");
+  addSetting(*command, "--seconds", options->seconds, between(0.1, 60.0, "s"),
+             "Time for which --doctor measures a device");
   command->add_flag("--json", options->json, "Print a list of objects instead of the text");
   command->callback([=] { options->identify ? runIdentify(*options) : runDevices(*options); });
 }

@@ -36,7 +36,7 @@ std::string firstHardware() {
   for (const device::BackEnd& back_end : device::backEnds()) {
     if (isHardware(back_end, back_end.probe({}))) return std::string(back_end.name);
   }
-  throw Error("no device is here to identify; palpate devices says why, and --device hand tries it on a simulated one");
+  throw Error("no haptic device found to identify; see palpate devices, or try a simulated one with --device hand");
 }
 
 /// A simulated hand is set to release itself.
@@ -135,7 +135,7 @@ Identified identifyDevice(const IdentifySettings& settings, const Progress& prog
   device::OpenOptions opening;
   opening.tick_s = kTickS;
   const device::Device device = device::openNamed(released(found.words), opening);
-  if (!device.write_force) throw Error(device.name + " takes no force: there is nothing to identify");
+  if (!device.write_force) throw Error(device.name + " does not render forces; there is nothing to identify");
   const LetsGo at_the_end(device);
   found.model = device.capabilities.model;
   found.simulated = device.capabilities.rhythm == device::Rhythm::on_call;

@@ -50,8 +50,8 @@ Option* addIndexedChoice(Command& command, const std::string& option, const std:
 Option* addLanguage(Command& command, std::string& code) {
   std::vector<std::string> codes;
   for (const Language& language : languages()) codes.emplace_back(language.code);
-  return restrictTo(codes,
-                    command.add_option("--language", code, "Language of what people read (default: the system's)"));
+  return restrictTo(codes, command.add_option("--language", code,
+                                              "Language of the interface and of reports (default: the system's)"));
 }
 
 }  // namespace palpate::app

@@ -30,7 +30,7 @@ Option* addDeviceOption(Command& command, std::vector<std::string>& names, const
 
 void addUnsafeStiffness(Command& command, bool& unsafe) {
   command.add_flag("--unsafe-stiffness", unsafe,
-                   "Render the stiffness and force that the scene's [safety] asks for, beyond what is safe for the "
+                   "Render the stiffness and force requested by the scene's [safety], beyond what is safe for the "
                    "device (docs/explanation/safety.md)");
 }
 

@@ -75,10 +75,10 @@ std::filesystem::path familyProgram(std::string_view family) {
 int becomeFamily(const FamilyCommand& command, const std::vector<std::string>& words) {
   const std::filesystem::path program = familyProgram(command.family);
   if (program.empty()) {
-    throw Error(fmt::format(
-        "palpate {} is in the package palpate-{}, which is not installed here; from the source: ./run {}, or "
-        "cmake --build BUILD --target palpate_{}_family",
-        command.command, command.family, command.command, command.family));
+    throw Error(
+        fmt::format("palpate {} requires the package palpate-{}, which is not installed; from source: ./run {}, or "
+                    "cmake --build BUILD --target palpate_{}_family",
+                    command.command, command.family, command.command, command.family));
   }
   return become(program, words);
 }

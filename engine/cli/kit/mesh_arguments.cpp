@@ -15,7 +15,7 @@ namespace palpate::app {
 void addMeshArguments(Command& command, MeshArguments& arguments) {
   command.add_option("mesh", arguments.file, "Mesh file: obj, stl, ply, off, gltf or glb")->required();
   addUnit(command, arguments.options.unit_mm);
-  command.add_option("--group", arguments.options.group, "Only this group or object of an OBJ file");
+  command.add_option("--group", arguments.options.group, "Use only this group or object of an OBJ file");
   command.add_flag("--foreign", arguments.options.allow_foreign,
                    "Read other formats (3mf, dae, fbx, ...) through assimp; only for files you trust");
 }
@@ -27,8 +27,8 @@ constexpr const char* kUnitOption = "--unit";
 double millimetresFrom(const std::string& word) {
   if (const auto unit = valueNamed<scene::Unit>(word)) return millimetresOf(*unit);
   if (parseNumber(word)) return numberFrom(kUnitOption, word, between(0.0, 1e9, "mm"));
-  throw UsageError(kUnitOption, fmt::format("'{}' is neither one of {} nor a number of millimetres", oneLine(word),
-                                            fmt::join(enumNames<scene::Unit>(), ", ")));
+  throw UsageError(kUnitOption, fmt::format("'{}' is not a unit; expected one of {}, or a number of millimetres",
+                                            oneLine(word), fmt::join(enumNames<scene::Unit>(), ", ")));
 }
 
 }  // namespace
@@ -36,9 +36,9 @@ double millimetresFrom(const std::string& word) {
 Option* addUnit(Command& command, double& unit_mm) {
   const auto read = [&unit_mm](const std::string& word) { unit_mm = millimetresFrom(word); };
   return command
-      .add_option_function(kUnitOption, read,
-                           "Unit of the mesh file, or how many millimetres it is: 25.4; auto: metres for "
-                           "gltf and glb, mm for the others")
+      .add_option_function(
+          kUnitOption, read,
+          "Unit of the mesh file, or its length in mm, e.g. 25.4; auto: metres for gltf and glb, otherwise mm")
       ->type_name(fmt::format("{}|{}", fmt::join(enumNames<scene::Unit>(), "|"), kNumberType))
       ->default_str("auto");
 }
@@ -54,11 +54,12 @@ void useUnit(double unit_mm, scene::BodySettings& body) {
 }
 
 void addPresetOption(Command& command, std::string& preset) {
-  restrictTo(scene::presetNames(),
-             command.add_option("--preset", preset,
-                                "Built-in scene by name: vhb is the dissertation's Virtual Haptic Back "
-                                "(docs/reference/dissertation.md), vhb-literal the same with its formulae as printed; "
-                                "the others are the examples of the window"));
+  restrictTo(
+      scene::presetNames(),
+      command.add_option(
+          "--preset", preset,
+          "Built-in scene by name: vhb is the dissertation's Virtual Haptic Back (docs/reference/dissertation.md), "
+          "vhb-literal the same with the formulae as printed; the others are the window's examples"));
 }
 
 }  // namespace palpate::app

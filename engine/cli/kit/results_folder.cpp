@@ -73,7 +73,7 @@ ResultsFolder resultsFolder(const std::optional<std::string>& wanted, bool overw
   if (named.size() > kMaxNames) named.resize(kMaxNames);
   throw Error::inFile(
       results.folder.string(),
-      fmt::format("holds another run ({}{}): --overwrite replaces it, --out {} is free", fmt::join(named, ", "),
+      fmt::format("contains another run ({}{}); replace it with --overwrite, or use --out {}", fmt::join(named, ", "),
                   named.size() < results.earlier.size() ? ", ..." : "", freshFolder(results.folder).string()));
 }
 

@@ -26,7 +26,7 @@ constexpr const char* kAverageBuild = "average";
 SimulateOptions withMeshApart(SimulateOptions options) {
   if (options.scene.empty() || !mesh::isMeshFile(pathOf(options.scene))) return options;
   if (!options.mesh.empty())
-    throw Error(fmt::format("{} and --mesh {}: one body at a time", options.scene, options.mesh));
+    throw Error(fmt::format("{} and --mesh {}: only one body can be given", options.scene, options.mesh));
   options.mesh = std::exchange(options.scene, {});
   return options;
 }
@@ -34,7 +34,7 @@ SimulateOptions withMeshApart(SimulateOptions options) {
 scene::Scene startingScene(const SimulateOptions& options) {
   if (!options.preset.empty()) {
     if (!options.scene.empty())
-      throw Error(fmt::format("{} and --preset {}: one scene at a time", options.scene, options.preset));
+      throw Error(fmt::format("{} and --preset {}: only one scene can be given", options.scene, options.preset));
     return scene::presetScene(options.preset);
   }
   if (!options.scene.empty()) {
@@ -94,34 +94,35 @@ void addDefaultFinger(scene::Scene& scene) {
 }  // namespace
 
 void addInputOptions(Command& command, SimulateOptions& options) {
-  command.add_option("SCENE", options.scene,
-                     "Scene file (TOML, docs/reference/scene-files.md), or a mesh as with --mesh; without one: ten "
-                     "seconds on the trunk");
+  command.add_option(
+      "SCENE", options.scene,
+      "Scene file (TOML, docs/reference/scene-files.md), or a mesh as with --mesh (default: ten seconds on the trunk)");
   addPresetOption(command, options.preset);
   command.add_option("--mesh", options.mesh,
                      "Palpate this mesh (OBJ, STL, PLY, OFF, glTF, GLB) instead of the scene's body");
   addUnit(command, options.mesh_unit_mm);
-  addSetting(command, "--mesh-scale", options.mesh_scale, above(0.0, 1e6), "Factor on the mesh's size, after the unit");
-  command.add_option("--group", options.mesh_group, "Only this group or object of an OBJ file");
+  addSetting(command, "--mesh-scale", options.mesh_scale, above(0.0, 1e6),
+             "Scale factor of the mesh, applied after the unit");
+  command.add_option("--group", options.mesh_group, "Use only this group or object of an OBJ file");
   command.add_option("--trajectory", options.trajectories,
-                     "Path of a finger, rows of t_s,x_mm,y_mm,z_mm in the body's coordinates; once for each finger");
+                     "Path of a finger: rows of t_s,x_mm,y_mm,z_mm in body coordinates; repeat for each finger");
   addNumber(command, "--radius-mm", options.radius_mm, between(0.0, 1000.0, "mm"),
             "Radius of every finger; 0 is a point, 8 a fingertip");
 }
 
 void addShapeOptions(Command& command, SimulateOptions& options) {
-  restrictTo({kAverageBuild, "thin", "heavy"},
-             command.add_option("--build", options.build,
-                                "Build of the trunk: as examples/scenes/thin.toml and heavy.toml beside it have it "
-                                "(default: as the scene says)"));
+  restrictTo(
+      {kAverageBuild, "thin", "heavy"},
+      command.add_option("--build", options.build,
+                         "Build of the trunk, as in examples/scenes/thin.toml and heavy.toml (default: from the scene)"));
   restrictTo(wordList<body::Posture>(),
              command.add_option("--posture", options.posture,
-                                "How the trunk stands, lies or sits (default: as the scene says)"));
+                                "Posture of the trunk: standing, prone or sitting (default: from the scene)"));
 }
 
 void addSecondsOption(Command& command, SimulateOptions& options) {
   addNumber(command, "--seconds", options.seconds, above(0.0, kLongestRunS, "s"),
-            "How long to run (default: until the last finger has finished)");
+            "Duration of the run (default: until the last finger has finished)");
 }
 
 scene::Scene sceneFor(const SimulateOptions& given) {

@@ -203,7 +203,7 @@ std::string textOf(const FitBodyResult& result, const std::vector<Vec3>& places)
 
 void runFitBody(const FitBodyArguments& arguments) {
   if (pathOf(arguments.output).extension() != ".toml") {
-    throw Error::inFile(arguments.output, "a scene file ends in .toml");
+    throw Error::inFile(arguments.output, "the name of a scene file must end in .toml");
   }
   FitBodyResult result = fitScan(arguments);
   std::vector<Vec3> places;
@@ -219,19 +219,18 @@ void runFitBody(const FitBodyArguments& arguments) {
 
 void addFitBodyCommand(Command& body) {
   const auto [command, arguments] = addCommand(
-      body, "fit", "Find spine, landmarks and bones of a scanned back or trunk, and write a scene of it", runFitBody);
+      body, "fit", "Find spine, landmarks and bones in a scan of a back or trunk, and write a scene", runFitBody);
   addMeshArguments(command, arguments.scan);
   command
       .add_option("--at", arguments.at,
-                  "A landmark and its place x,y,z on the scan, in the file's unit: \"left PSIS=-48,-300,105\"; four or "
-                  "more say where the body is, fewer help its shape, none leave it to the shape")
+                  "Landmark and its place x,y,z on the scan, in the file's unit: \"left PSIS=-48,-300,105\"; four or "
+                  "more place the body, fewer assist the fit by shape, none uses the shape alone")
       ->type_name("NAME=PLACE");
-  command.add_option("--points", arguments.points, "Table name,x,y,z of the same");
+  command.add_option("--points", arguments.points, "Table name,x,y,z of such landmarks");
   namesFileToWrite(
-      command.add_option("-o,--out", arguments.output, "Scene file to write; NAME.fit.json is written beside it"))
+      command.add_option("-o,--out", arguments.output, "Scene file to write, with NAME.fit.json next to it"))
       ->required();
-  command.add_flag("--keep-frame", arguments.keep_frame,
-                   "Use the scan as it lies, however it is turned: fingers press along its z");
+  command.add_flag("--keep-frame", arguments.keep_frame, "Keep the scan's own orientation; fingers press along its z");
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 

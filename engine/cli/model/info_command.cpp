@@ -39,7 +39,7 @@ namespace fs = std::filesystem;
 std::vector<trace::RecordedFinger> readRecordedFingers(const fs::path& file) {
   if (trace::isForcesTable(file)) return trace::readForcesTable(file);
   if (!fs::exists(file)) throw Error::inFile(file.string(), "no such file");
-  throw Error::inFile(file.string(), fmt::format("is an unfinished part of {}, which is unchanged; delete the part",
+  throw Error::inFile(file.string(), fmt::format("is an unfinished copy of {}, which is unchanged; delete the copy",
                                                  file.stem().string()));
 }
 
@@ -327,11 +327,11 @@ void runInfo(const InfoArguments& arguments) {
 void addInfoCommand(Command& group) {
   const auto [command, arguments] = addCommand(
       group, "info",
-      "Report what a mesh file holds and what is wrong with it, or a recorded table of forces or recording", runInfo);
+      "Report the contents and defects of a mesh file, or the contents of a table of forces or a recording", runInfo);
   addMeshArguments(command, arguments.mesh);
   command.add_flag("--no-self-intersections", arguments.quick,
-                   "Do not look for self-intersections (the slowest check)");
-  command.add_flag("--shape", arguments.shape, "Also tell how even a mesh's triangles are: folds, angles, areas");
+                   "Skip the search for self-intersections (the slowest check)");
+  command.add_flag("--shape", arguments.shape, "Also report the quality of a mesh's triangles: folds, angles, areas");
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 

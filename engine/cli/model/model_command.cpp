@@ -236,7 +236,7 @@ ModelCommand addModel(Command& parent, const char* name, const char* what, std::
   Command* command = parent.add_subcommand(name, what);
   namesFileToWrite(command->add_option("-o,--out", options->output, "Mesh file to write: .obj, .stl or .ply"))
       ->required();
-  addSetting(*command, "--triangles", options->triangles, triangle_limits, "Triangles, exactly");
+  addSetting(*command, "--triangles", options->triangles, triangle_limits, "Exact number of triangles");
   command->add_flag("--json", options->json, "Print the summary as one JSON object");
   command->callback([make, options] { make(*options); });
   return {command, options};
@@ -244,7 +244,7 @@ ModelCommand addModel(Command& parent, const char* name, const char* what, std::
 
 void addStature(Command& command, ModelOptions& options) {
   addSetting(command, "--stature-mm", options.shape.stature_mm, between(300.0, 3000.0, "mm"),
-             "Height of the person; everything scales with it");
+             "Height of the person; the whole body scales with it");
 }
 
 void addShape(Command& command, ModelOptions& options) {
@@ -257,9 +257,9 @@ void addShape(Command& command, ModelOptions& options) {
   add("--spine-relief", shape.relief.spine, "Spinous processes: 0 none, 1 a lean man, 2 emaciated");
   add("--rib-relief", shape.relief.ribs, "Ribs: 0 none, 1 a lean man, 2 emaciated");
   add("--scapula-relief", shape.relief.scapulae, "Shoulder blades: 0 none, 1 a lean man, 2 emaciated");
-  add("--asymmetry", shape.asymmetry, "0 symmetric, 1 naturally uneven");
+  add("--asymmetry", shape.asymmetry, "Difference between left and right: 0 symmetric, 1 natural");
   const auto add_levels = [&](const char* name, body::LevelWeights& value) {
-    addNumber(command, name, value, between(0.0, 5.0), "Weights of that relief at T1-T2, T3-T9, T10-L2, L3-L5")
+    addNumber(command, name, value, between(0.0, 5.0), "Weights of the relief at T1-T2, T3-T9, T10-L2, L3-L5")
         ->delimiter(',')
         ->capture_default_str()
         ->group(kGroup);
@@ -271,7 +271,7 @@ void addShape(Command& command, ModelOptions& options) {
 
 void addOutputs(Command& command, ModelOptions& options) {
   addSetting(command, "--bone-triangles", options.bone_triangles, between(0, 2e7),
-             "Triangles of the bones among them; 0 chooses");
+             "Number of bone triangles among them; 0 is automatic");
   command.add_option("--skin-out", options.skin_output, "Also write the skin alone to this file");
   command.add_option("--bones-out", options.bones_output, "Also write the bones alone to this file");
 }
@@ -281,15 +281,16 @@ void addBuild(Command& command, body::TrunkShape& build) {
   const auto add = [&](const char* name, double& value, const Limits& limits, const char* help) {
     addSetting(command, name, value, limits, help)->group(kGroup);
   };
-  add("--girth", build.girth, between(0.8, 1.3), "Factor on breadth and depth of the frame, bones and all");
-  add("--body-mass-index", build.body_mass_index, between(16, 45, "kg/m2"), "Fat under the skin");
-  add("--muscle", build.muscle, between(0, 2), "0 wasted, 2 an athlete");
-  add("--kyphosis-deg", build.kyphosis_deg, between(15, 65), "Curve of the thoracic spine, T1 to T12");
-  add("--lordosis-deg", build.lordosis_deg, between(0, 50), "Curve of the lumbar spine, L1 to L5");
-  add("--spine-relief", build.relief.spine, between(0, 3), "How far spinous processes show: 0 none, 1 a lean man");
-  add("--rib-relief", build.relief.ribs, between(0, 3), "The same for the ribs of the back");
-  add("--scapula-relief", build.relief.scapulae, between(0, 3), "The same for the shoulder blades");
-  add("--asymmetry", build.asymmetry, between(0, 3), "0 symmetric, 1 naturally uneven");
+  add("--girth", build.girth, between(0.8, 1.3), "Factor for the width and depth of the frame, including bones");
+  add("--body-mass-index", build.body_mass_index, between(16, 45, "kg/m2"),
+      "Body mass index, which sets the fat under the skin");
+  add("--muscle", build.muscle, between(0, 2), "Muscle mass: 0 wasted, 2 athletic");
+  add("--kyphosis-deg", build.kyphosis_deg, between(15, 65), "Curvature of the thoracic spine, T1 to T12");
+  add("--lordosis-deg", build.lordosis_deg, between(0, 50), "Curvature of the lumbar spine, L1 to L5");
+  add("--spine-relief", build.relief.spine, between(0, 3), "Relief of the spinous processes: 0 none, 1 a lean man");
+  add("--rib-relief", build.relief.ribs, between(0, 3), "Relief of the ribs of the back");
+  add("--scapula-relief", build.relief.scapulae, between(0, 3), "Relief of the shoulder blades");
+  add("--asymmetry", build.asymmetry, between(0, 3), "Difference between left and right: 0 symmetric, 1 natural");
 }
 
 void addTrunk(Command& model) {
@@ -297,9 +298,9 @@ void addTrunk(Command& model) {
       model, "trunk", "The whole trunk, closed, from the neck to below the gluteal fold, over 74 bones",
       body::TrunkSettings{}.triangles, between(static_cast<double>(body::kFewestTrunkTriangles), 2e7), makeTrunkModel);
   addSetting(*command, "--stature-mm", options->shape.stature_mm, between(500.0, 2500.0, "mm"),
-             "Height of the person; everything scales with it");
+             "Height of the person; the whole body scales with it");
   restrictTo(wordList<body::Posture>(),
-             command->add_option("--posture", options->posture, "How it lies or sits")->capture_default_str());
+             command->add_option("--posture", options->posture, "Posture of the trunk")->capture_default_str());
   addBuild(*command, options->build);
   addOutputs(*command, *options);
 }
@@ -328,15 +329,16 @@ void addBones(Command& model) {
 void addHand(Command& model) {
   const auto [command, options] = addModel(model, "hand", "An open hand with the index finger stretched out",
                                            body::HandSettings{}.triangles, between(200, 4e6), makeHandModel);
-  restrictTo(wordList<body::Side>(), command->add_option("--side", options->side, "Which hand")->capture_default_str());
+  restrictTo(wordList<body::Side>(),
+             command->add_option("--side", options->side, "Left or right hand")->capture_default_str());
   addSetting(*command, "--length-mm", options->hand_length_mm, between(20.0, 1000.0, "mm"),
-             "From the wrist's cut to the tip of the index finger");
+             "Length from the cut at the wrist to the tip of the index finger");
 }
 
 }  // namespace
 
 void addModelCommand(Command& body) {
-  Command* model = body.add_subcommand("make", "Write a part of the built-in human to a mesh file (mm)");
+  Command* model = body.add_subcommand("make", "Write a part of the built-in human body to a mesh file (mm)");
   model->require_subcommand(1);
   addTrunk(*model);
   addBack(*model);

@@ -210,7 +210,7 @@ void refuseMeshOptions(const Command& command) {
   for (const Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (option->count() == 0 || name == "mesh" || name == "--out" || name == "--json" || name == "--help") continue;
-    throw Error(fmt::format("repair: {} is for meshes, this is a recording", name));
+    throw Error(fmt::format("repair: {} applies to meshes only, this is a recording", name));
   }
 }
 
@@ -219,24 +219,21 @@ void refuseMeshOptions(const Command& command) {
 void addRepairCommand(Command& group) {
   auto arguments = std::make_shared<RepairArguments>();
   Command& command =
-      *group.add_subcommand("repair", "Make a mesh fit to be felt, or salvage a recording, and say what was done");
+      *group.add_subcommand("repair", "Repair a mesh (or recover a damaged recording) and report the changes");
   addMeshArguments(command, arguments->mesh);
-  namesFileToWrite(
-      command.add_option(
-          "-o,--out", arguments->output,
-          "File to write: obj, stl or ply (mm); a ply keeps the numbers and colours of a ply's vertices. Of a "
-          "recording, a recording"))
+  namesFileToWrite(command.add_option("-o,--out", arguments->output,
+                                      "File to write: obj, stl or ply (mm), where ply keeps the vertex values and "
+                                      "colours of a ply; or the recovered recording"))
       ->required();
-  command.add_flag("--no-weld", arguments->no_weld, "Leave vertices at the same place apart");
+  command.add_flag("--no-weld", arguments->no_weld, "Keep vertices at the same place separate");
   addSetting(command, "--weld-distance-mm", arguments->weld_distance_mm, between(0.0, 1e9, "mm"),
-             "Weld also vertices nearer than this; 0: the same place only");
-  command.add_flag("--keep-orientation", arguments->keep_orientation,
-                   "Do not turn closed parts outside out that face inwards");
+             "Also weld vertices nearer than this; 0 welds only those at the same place");
+  command.add_flag("--keep-orientation", arguments->keep_orientation, "Do not flip closed parts that face inwards");
   addChoice(command, "--turn-over", arguments->turn_over,
             {{"none", mesh::TurnOver::none}, {"doubtful", mesh::TurnOver::doubtful}, {"open", mesh::TurnOver::open}},
-            "Open parts to turn over: doubtful, those of which it is said that they may be inside out; open, all, such "
-            "as a sheet that was given from its back");
-  command.add_flag("--keep-holes", arguments->keep_holes, "Leave the small holes of nearly closed parts open");
+            "Open parts to flip: doubtful, those reported as possibly inside out; open, all open parts, e.g. a sheet "
+            "with its back outside");
+  command.add_flag("--keep-holes", arguments->keep_holes, "Keep the small holes of nearly closed parts open");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {
     if (isOrWasRecording(pathOf(arguments->mesh.file))) {

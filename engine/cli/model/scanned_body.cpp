@@ -41,8 +41,9 @@ void guessUnit(ScannedBody& scan) {
     if (!isBodySized(diagonal * unit.mm)) continue;
     for (Vec3& p : scan.mesh.positions) p *= unit.mm;
     scan.unit_mm = scan.mm_per_unit = unit.mm;
-    scan.notes.push_back(fmt::format(
-        "taken to be in {}: it measures {:.4g} from corner to corner (--unit says otherwise)", unit.words, diagonal));
+    scan.notes.push_back(
+        fmt::format("unit assumed to be {}: the scan measures {:.4g} from corner to corner (set it with --unit)",
+                    unit.words, diagonal));
     return;
   }
 }
@@ -75,10 +76,10 @@ ScannedBody readScan(const std::filesystem::path& file, mesh::LoadOptions option
 body::NamedPoint namedPointFrom(const std::string& option, const std::string& word) {
   const std::size_t equals = word.rfind('=');
   if (equals == std::string::npos || equals == 0) {
-    throw UsageError(option, fmt::format("'{}' is not of the form NAME=X,Y,Z", oneLine(word)));
+    throw UsageError(option, fmt::format("'{}' must have the form NAME=X,Y,Z", oneLine(word)));
   }
   const std::vector<double> place = numbersFrom(option, word.substr(equals + 1), {});
-  if (place.size() != 3) throw UsageError(option, fmt::format("'{}' needs three numbers", oneLine(word)));
+  if (place.size() != 3) throw UsageError(option, fmt::format("'{}' must have three numbers", oneLine(word)));
   return {word.substr(0, equals), {place[0], place[1], place[2]}};
 }
 
@@ -91,11 +92,11 @@ std::vector<body::NamedPoint> readNamedPoints(const std::filesystem::path& file)
     const bool header = first && row.fields.size() > 1 && !parseNumber(row.fields[1]);
     first = false;
     if (header) return;
-    if (row.fields.size() != 4) throw Error::atLine(row.file, row.line, "needs name,x,y,z");
+    if (row.fields.size() != 4) throw Error::atLine(row.file, row.line, "expected name,x,y,z");
     points.push_back(
         {std::string(row.fields[0]), {csvNumber(row, 1, "x"), csvNumber(row, 2, "y"), csvNumber(row, 3, "z")}});
   });
-  if (points.empty()) throw Error::inFile(name, "names no point");
+  if (points.empty()) throw Error::inFile(name, "has no points");
   return points;
 }
 

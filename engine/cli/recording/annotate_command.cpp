@@ -40,11 +40,11 @@ At readAt(const std::string& option, const std::string& words, const trace::Reco
   const std::optional<double> seconds =
       at == std::string::npos ? std::nullopt : parseNumber(std::string_view(words).substr(at + 1));
   if (at == 0 || !seconds || !std::isfinite(*seconds) || *seconds < 0.0) {
-    throw Error(fmt::format("{}: '{}' is not WHAT@SECONDS, as in 'T6 right@12.5'", option, words));
+    throw Error(fmt::format("{}: '{}' must be WHAT@SECONDS, e.g. 'T6 right@12.5'", option, words));
   }
   const double tick = std::round(*seconds * facts.header.ticks_per_s);
   if (tick < static_cast<double>(facts.first_tick) || tick > static_cast<double>(facts.last_tick)) {
-    throw Error(fmt::format("{}: {} s is not in the recording, {:.3f} to {:.3f} s", option, *seconds,
+    throw Error(fmt::format("{}: {} s is outside the recording, which lasts from {:.3f} to {:.3f} s", option, *seconds,
                             static_cast<double>(facts.first_tick) / facts.header.ticks_per_s,
                             static_cast<double>(facts.last_tick) / facts.header.ticks_per_s));
   }
@@ -74,12 +74,12 @@ trace::RecordingAttachment attachmentOf(const At& at) {
     return {at.tick, std::string(media.kind), file.filename().string(), std::string(media.type),
             readFile(file, kMaxBytes)};
   }
-  throw Error::inFile(at.what, "is not a picture (png, jpg), sound (wav, ogg, mp3, flac) or note (txt)");
+  throw Error::inFile(at.what, "must be a picture (png, jpg), a sound (wav, ogg, mp3, flac) or a note (txt)");
 }
 
 void runAnnotate(const AnnotateArguments& arguments) {
   if (!arguments.notes && !arguments.tags && arguments.marks.empty() && arguments.attached.empty()) {
-    throw Error("annotate: say what to add: --notes, --tags, --mark or --attach");
+    throw Error("annotate: nothing to add; use --notes, --tags, --mark or --attach");
   }
   trace::refuseSame(arguments.out, arguments.file);
   ProgressLine progress;
@@ -110,15 +110,15 @@ void runAnnotate(const AnnotateArguments& arguments) {
 void addAnnotateCommand(Command& recording) {
   const auto [command, a] =
       addCommand(recording, "annotate",
-                 "Write a recording with notes, tags, marks, pictures and sound notes of your own", runAnnotate);
+                 "Write a copy of a recording with your own notes, tags, marks, pictures and sound notes", runAnnotate);
   command.add_option("RECORDING", a.file, "Recording file")->required();
-  command.add_option("--notes", a.notes, "What it is about, in place of its notes");
-  command.add_option("--tags", a.tags, "Words to find it by, with blanks between, in place of its tags");
-  command.add_option("--mark", a.marks, "Set a mark: WORDS@SECONDS; any number of times")->allow_extra_args(false);
+  command.add_option("--notes", a.notes, "Description of the recording, in place of its notes");
+  command.add_option("--tags", a.tags, "Search words, separated by spaces, in place of its tags");
+  command.add_option("--mark", a.marks, "Set a mark: WORDS@SECONDS; repeatable")->allow_extra_args(false);
   command
-      .add_option("--attach", a.attached,
-                  "Put a picture (png, jpg), a sound (wav, ogg, mp3, flac) or a note (txt) into it: FILE@SECONDS; any "
-                  "number of times")
+      .add_option(
+          "--attach", a.attached,
+          "Attach a picture (png, jpg), a sound (wav, ogg, mp3, flac) or a note (txt): FILE@SECONDS; repeatable")
       ->allow_extra_args(false);
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
 }

@@ -84,10 +84,9 @@ void refuseFilesOutside(trace::RecordingReader& recording, const BundleArguments
     names += (names.empty() ? "" : ", ") + file.string();
     options += fmt::format(" --include '{}'", file.string());
   }
-  throw Error::inFile(arguments.file.string(),
-                      fmt::format("its scene names files outside the folder of the recording: {}; to give them away "
-                                  "too, add{}",
-                                  names, options));
+  throw Error::inFile(
+      arguments.file.string(),
+      fmt::format("its scene uses files outside the recording's folder: {}; to include them, add{}", names, options));
 }
 
 void print(const BundleArguments& arguments, const engine::BundleReport& report) {
@@ -129,14 +128,14 @@ void runBundle(const BundleArguments& arguments) {
 void addBundleCommand(Command& recording) {
   const auto [command, a] = addCommand(
       recording, "bundle",
-      "Write a recording with all files that its scene names, and without names of people or folders", runBundle);
+      "Write a self-contained copy with all files of its scene, and without names of people or folders", runBundle);
   command.add_option("RECORDING", a.file, "Recording file")->required();
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_option("--folder", a.folder, "Folder of the files that the scene names (default: where they were)");
   command
       .add_option("--include", a.included,
-                  "Also pack what the scene names of this file or folder, once for each; files outside the "
-                  "recording's folder and --folder are refused without it")
+                  "Also pack the scene's files from this file or folder, repeatable; required for files outside the "
+                  "recording's folder and --folder")
       ->type_name("PATH")
       ->allow_extra_args(false);
   command.add_flag("--json", a.json, "Print one JSON object");

@@ -127,17 +127,17 @@ void requireSomething(const ExportArguments& a) {
   for (const std::filesystem::path* request : {&a.csv, &a.json, &a.scene, &a.npz, &a.ply, &a.attachments}) {
     if (!request->empty()) return;
   }
-  throw Error("export: say what to write: --csv, --npz, --json, --scene, --ply FILE or --attachments FOLDER");
+  throw Error("export: nothing to write; use --csv, --npz, --json, --scene, --ply FILE or --attachments FOLDER");
 }
 
 void runExport(const ExportArguments& arguments) {
   requireSomething(arguments);
-  if (arguments.raw && arguments.csv.empty()) throw Error("export: --raw is for --csv FILE");
-  if (arguments.at_s && arguments.ply.empty()) throw Error("export: --at says the moment of --ply FILE");
+  if (arguments.raw && arguments.csv.empty()) throw Error("export: --raw requires --csv FILE");
+  if (arguments.at_s && arguments.ply.empty()) throw Error("export: --at requires --ply FILE");
   if (arguments.taxels && arguments.npz.empty() && arguments.csv.empty()) {
-    throw Error("export: --pressure is for --npz FILE and --csv FILE");
+    throw Error("export: --pressure requires --npz FILE or --csv FILE");
   }
-  if (arguments.pad_mm && !arguments.taxels) throw Error("export: --pad-mm is the size of a --pressure pad");
+  if (arguments.pad_mm && !arguments.taxels) throw Error("export: --pad-mm requires --pressure");
   const FinishesInOrder in_order;  // the recording's files are in a folder that must be removed again
   const trace::ReadingWatch watch(throwIfInterrupted);
   ProgressLine progress;
@@ -176,24 +176,23 @@ void runExport(const ExportArguments& arguments) {
 
 void addExportCommand(Command& recording) {
   const auto [command, a] =
-      addCommand(recording, "export", "Write a recording as files that other programs read", runExport);
+      addCommand(recording, "export", "Export a recording as CSV, NPZ, JSON, TOML, PLY or its attachments", runExport);
   command.add_option("RECORDING", a.file, "Recording file")->required();
-  command.add_option("--csv", a.csv, "Every tick, as forces.csv has it");
+  command.add_option("--csv", a.csv, "Every tick, in the format of forces.csv");
   command.add_flag("--raw", a.raw,
-                   "Of --csv: write names that begin like a formula (= + - @) as they are, for programs; without it an "
-                   "apostrophe stands before them");
-  command.add_option("--json", a.json, "Everything but the ticks: header, fingers, worlds, events");
-  command.add_option("--scene", a.scene, "The scene that it began with (TOML)");
+                   "With --csv: write names that begin like a formula (= + - @) unchanged, for programs; otherwise an "
+                   "apostrophe is put before them");
+  command.add_option("--json", a.json, "Everything except the ticks: header, fingers, worlds, events");
+  command.add_option("--scene", a.scene, "Scene at the start of the recording (TOML)");
   command.add_option("--npz", a.npz, "Every column of every tick as arrays for NumPy: numpy.load(FILE)['index.tick']");
-  addNumber(
-      command, "--pressure", a.taxels, between(contact::kMinTaxels, contact::kMaxTaxels),
-      "Taxels along a side of a pad on each fingertip: its pressures, kPa, go into --npz ('index.pressure_kpa') and "
-      "--csv (such a table cannot be played back)");
-  addNumber(command, "--pad-mm", a.pad_mm, between(1.0, 100.0, "mm"), "A side of that pad (default: 16)");
-  command.add_option("--ply", a.ply, "The deformed skin at a moment, with displacement and strain");
+  addNumber(command, "--pressure", a.taxels, between(contact::kMinTaxels, contact::kMaxTaxels),
+            "Taxels along a side of a pad on each fingertip; its pressures (kPa) are added to --npz "
+            "('index.pressure_kpa') and --csv (such a table cannot be played back)");
+  addNumber(command, "--pad-mm", a.pad_mm, between(1.0, 100.0, "mm"), "Edge length of that pad (default: 16)");
+  command.add_option("--ply", a.ply, "Deformed skin at one moment, with displacement and strain");
   addNumber(command, "--at", a.at_s, between(0.0, 1e9, "s"),
             "Moment of --ply (default: where the fingers press deepest)");
-  command.add_option("--attachments", a.attachments, "Folder for pictures and sound notes that were kept with it");
+  command.add_option("--attachments", a.attachments, "Folder for the pictures and sound notes attached to it");
   command.add_option("--folder", a.folder, "Folder of the files that the scene names (default: where they were)");
   addTimeSpan(command, a.span);
 }

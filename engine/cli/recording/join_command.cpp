@@ -46,9 +46,8 @@ void runJoin(const JoinArguments& arguments) {
 }  // namespace
 
 void addJoinCommand(Command& recording) {
-  const auto [command, a] =
-      addCommand(recording, "join", "Write recordings of the same fingers one after another", runJoin);
-  command.add_option("RECORDING", a.files, "Recording files, in their order")->required()->expected(2, 1000);
+  const auto [command, a] = addCommand(recording, "join", "Join recordings of the same fingers into one", runJoin);
+  command.add_option("RECORDING", a.files, "Recording files, in order")->required()->expected(2, 1000);
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_flag("--json", a.json, "Print one JSON object");
 }

@@ -39,7 +39,7 @@ void runRecordings(const RecordingsArguments& arguments) {
   std::string text;
   const std::filesystem::path folder = arguments.window ? viewer::recordingsFolder() : arguments.folder;
   if (arguments.window && !std::filesystem::is_directory(folder)) {
-    throw Error(fmt::format("{}: no window has recorded anything yet", folder.string()));
+    throw Error(fmt::format("{}: the window has not recorded anything yet", folder.string()));
   }
   for (const std::filesystem::path& file : recordingFiles(folder)) {
     try {
@@ -61,9 +61,9 @@ void runRecordings(const RecordingsArguments& arguments) {
 
 void addRecordingsCommand(Command& recording) {
   const auto [command, arguments] =
-      addCommand(recording, "list", "List the recordings of a folder and what is in them", runRecordings);
-  command.add_option("FOLDER", arguments.folder, "With all folders in it")->capture_default_str();
-  command.add_flag("--window", arguments.window, "Those that the window recorded by itself, wherever they are");
+      addCommand(recording, "list", "List the recordings in a folder and their contents", runRecordings);
+  command.add_option("FOLDER", arguments.folder, "Folder to search, including its subfolders")->capture_default_str();
+  command.add_flag("--window", arguments.window, "List the window's automatic recordings, wherever they are");
   command.add_flag("--json", arguments.json, "Print a list of objects");
 }
 

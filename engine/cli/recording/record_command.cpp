@@ -143,7 +143,7 @@ std::size_t waitForRecordingEnd(engine::ServoThread& servo, engine::Recorder& re
 
 void runRecord(const RecordArguments& arguments) {
   if (!arguments.overwrite && std::filesystem::exists(arguments.out)) {
-    throw Error::inFile(arguments.out.string(), "exists already: another name, or --overwrite");
+    throw Error::inFile(arguments.out.string(), "already exists; use another name, or --overwrite");
   }
   ProgressLine progress;
   const auto world = scene::build(sceneFor(arguments.input), progress.callback());
@@ -186,16 +186,16 @@ void addRecordCommand(Command& recording) {
   const auto arguments = std::make_shared<RecordArguments>();
   RecordArguments& a = *arguments;
   Command& command =
-      *recording.add_subcommand("new", "Palpate with devices in real time, without a window, and record until Ctrl+C");
+      *recording.add_subcommand("new", "Record palpation with devices in real time, without a window, until Ctrl+C");
   addInputOptions(command, a.input);
   addNumber(command, "--seconds", a.input.seconds, above(0.0, 864000.0, "s"),
-            "How long to record (default: until Ctrl+C, without a device until the last path has ended)");
-  addDeviceOption(command, a.devices, "Holds the first finger instead of its path, the next one when given again");
+            "Duration of the recording (default: until Ctrl+C; without a device, until the last path has ended)");
+  addDeviceOption(command, a.devices, "Device for the first finger, in place of its path; repeat for the next");
   addUnsafeStiffness(command, a.input.unsafe_stiffness);
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
-  command.add_flag("--overwrite", a.overwrite, "Replace a recording of that name");
-  command.add_option("--notes", a.notes, "What it is about, in a sentence (default: the scene's title)");
-  command.add_option("--tags", a.tags, "Words to find it by, with blanks between");
+  command.add_flag("--overwrite", a.overwrite, "Replace an existing recording of that name");
+  command.add_option("--notes", a.notes, "Description in one sentence (default: the scene's title)");
+  command.add_option("--tags", a.tags, "Search words, separated by spaces");
   command.add_flag("--json", a.json, "Print one JSON object at the end");
   command.callback([arguments, &command] {
     arguments->input.radius_given = command.count("--radius-mm") > 0;

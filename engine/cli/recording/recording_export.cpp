@@ -251,7 +251,7 @@ std::uint64_t writeAttachments(trace::RecordingReader& recording, const trace::T
     if (count == 0) {
       std::error_code error;
       std::filesystem::create_directories(folder, error);
-      if (error) throw Error::inFile(folder.string(), "cannot be made: " + error.message());
+      if (error) throw Error::inFile(folder.string(), "cannot be created: " + error.message());
     }
     const double time_s = static_cast<double>(attachment.tick) / recording.facts().header.ticks_per_s;
     writeFile(folder / fmt::format("{:04}_{}_{:.3f}s{}", ++count, plainName(attachment.kind), time_s,
@@ -291,7 +291,7 @@ std::vector<servo::TickSamples> recordedFrames(trace::RecordingReader& recording
   const double rate = facts.header.ticks_per_s;
   for (const double time_s : {times_s.front(), times_s.back()}) {
     if (tickAt(time_s, facts) >= facts.first_tick && tickAt(time_s, facts) <= facts.last_tick) continue;
-    throw Error(fmt::format("there is no moment {} s: the recording lasts from {:.3f} to {:.3f} s", time_s,
+    throw Error(fmt::format("{} s is outside the recording, which lasts from {:.3f} to {:.3f} s", time_s,
                             static_cast<double>(facts.first_tick) / rate, static_cast<double>(facts.last_tick) / rate));
   }
   std::vector<servo::TickSamples> frames;

@@ -64,8 +64,8 @@ Json limitsJson(trace::RecordingReader& reader) {
 }  // namespace
 
 void addTimeSpan(Command& command, TimeSpan& span) {
-  addNumber(command, "--from", span.from_s, between(0.0, 1e9, "s"), "Begin at this time");
-  addNumber(command, "--to", span.to_s, between(0.0, 1e9, "s"), "End at this time (default: at the end)");
+  addNumber(command, "--from", span.from_s, between(0.0, 1e9, "s"), "Start time");
+  addNumber(command, "--to", span.to_s, between(0.0, 1e9, "s"), "End time (default: the end)");
 }
 
 trace::TickSpan toTickSpan(const TimeSpan& span, double ticks_per_s) {

@@ -68,12 +68,13 @@ void runTrim(const TrimArguments& arguments) {
 }  // namespace
 
 void addTrimCommand(Command& recording) {
-  const auto [command, a] = addCommand(recording, "trim", "Write a part of a recording as a recording", runTrim);
+  const auto [command, a] =
+      addCommand(recording, "trim", "Cut a part out of a recording and write it as a recording", runTrim);
   command.add_option("RECORDING", a.file, "Recording file")->required();
   addTimeSpan(command, a.span);
   namesFileToWrite(command.add_option("-o,--out", a.out, "Recording file to write"))->required();
   command.add_flag("--exact", a.exact,
-                   "Begin just there, also in the middle of a contact (default: where every finger was last at rest)");
+                   "Begin exactly at --from, even during a contact (default: where every finger was last at rest)");
   command.add_flag("--json", a.json, "Print one JSON object");
 }
 

@@ -59,7 +59,7 @@ std::filesystem::path requiredFfmpeg(const std::filesystem::path& film) {
   if (auto ffmpeg = installedFfmpeg()) return *ffmpeg;
   const std::string name = film.stem().string();
   throw Error::inFile(film.string(),
-                      fmt::format("MP4 needs ffmpeg, which is not installed; {0}.webm and {0}.gif do not", name));
+                      fmt::format("MP4 requires ffmpeg, which is not installed; {0}.webm and {0}.gif do not", name));
 }
 
 }  // namespace
@@ -79,8 +79,8 @@ FfmpegFilm::FfmpegFilm(const std::filesystem::path& ffmpeg, const std::filesyste
 
 void FfmpegFilm::fail(const system::FedProgram::Ending& ending) {
   const std::string words = lastNonEmptyLine(ffmpeg_.said());
-  throw Error::inFile(film_.string(),
-                      fmt::format("ffmpeg made no film of it ({}){}{}", ending.how, words.empty() ? "" : ": ", words));
+  throw Error::inFile(film_.string(), fmt::format("ffmpeg failed to write the film ({}){}{}", ending.how,
+                                                  words.empty() ? "" : ": ", words));
 }
 
 void FfmpegFilm::add(const view::Image& picture) {

@@ -47,7 +47,7 @@ std::vector<servo::TickSamples> framesAt(const scene::World& world, const device
   const double end_s = static_cast<double>(paths.ticks - 1) / world.scene.ticks_per_s;
   for (const double time_s : {times_s.front(), times_s.back()}) {  // they rise
     if (time_s >= 0.0 && time_s <= end_s + 1e-9) continue;
-    throw Error(fmt::format("there is no moment {} s: the run lasts from 0 to {:.3f} s", time_s, end_s));
+    throw Error(fmt::format("{} s is outside the run, which lasts from 0 to {:.3f} s", time_s, end_s));
   }
   std::vector<servo::TickSamples> frames;
   const auto collect = [&](std::span<const trace::Sample> samples) {

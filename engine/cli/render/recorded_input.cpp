@@ -15,8 +15,8 @@ void refuseOthers(const RenderOptions& options) {
                         scene.seconds > 0.0 || !scene.build.empty() || !scene.posture.empty() || !options.poses.empty();
   if (!replaces) return;
   throw Error::inFile(scene.scene,
-                      "is a recording: its body and its fingers are the recorded ones (no --mesh, "
-                      "--trajectory, --radius-mm, --seconds, --build, --posture, --pose)");
+                      "is a recording with its own body and fingers; omit --mesh, --trajectory, --radius-mm, "
+                      "--seconds, --build, --posture and --pose");
 }
 
 }  // namespace

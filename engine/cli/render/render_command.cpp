@@ -152,7 +152,7 @@ void noteTheOthers(const RenderOptions& options, RenderReport& result) {
   }
   const std::filesystem::path next = fileOfSeries(options, count + 1);
   if (result.film.empty() && options.frames > 1 && std::filesystem::exists(next)) {
-    result.notes.push_back(fmt::format("{} and what follows is of an earlier series", next.string()));
+    result.notes.push_back(fmt::format("{} and later files belong to an earlier series", next.string()));
   }
 }
 
@@ -249,7 +249,7 @@ std::string formatSummary(const RenderReport& result) {
 
 std::vector<BodyPlace> pointsFrom(const std::string& words) {
   const std::vector<double> numbers = numbersFrom(kPose, words, between(-kFarthestMm, kFarthestMm, "mm"));
-  if (numbers.size() % 3 != 0) throw UsageError(kPose, "needs x,y,z, or several of them");
+  if (numbers.size() % 3 != 0) throw UsageError(kPose, "expected x,y,z, or several of them");
   std::vector<BodyPlace> places;
   for (std::size_t i = 0; i < numbers.size(); i += 3) {
     places.push_back({kPose, {}, Vec3(numbers[i], numbers[i + 1], numbers[i + 2])});
@@ -270,20 +270,19 @@ void addPoses(Command& command, RenderOptions& options) {
     for (const std::string& pose : words) options.poses.push_back(placesFrom(pose));
   };
   command
-      .add_option_function(kPose, read,
-                           "Tip of a finger x,y,z, mm, in place of the scene's fingers; more "
-                           "places in one list: it moves on from each to "
-                           "the next; once for each finger. Or places in words, with "
-                           "semicolons: \"T6; T6 right 30 mm\", 6 mm under the skin")
+      .add_option_function(
+          kPose, read,
+          "Fingertip x,y,z (mm), in place of the scene's fingers; several places in one list are a path; repeat for "
+          "each finger. Or named places, with semicolons, 6 mm under the skin: \"T6; T6 right 30 mm\"")
       ->type_name(std::string(kPlaceType) + "[,X,Y,Z]|PLACE");
 }
 
 void addMomentOptions(Command& command, RenderOptions& options) {
   addNumber(command, "--at", options.at_s, between(0.0, kLongestRunS, "s"),
-            "Moment of the scene's run (default, without --pose: the body at rest)");
+            "Time in the scene's run (default, without --pose: the body at rest)");
   addPoses(command, options);
   addSetting(command, "--frames", options.frames, between(1, 9999), "Number of pictures");
-  addSetting(command, "--fps", options.frames_per_s, between(0.1, 1000.0), "Pictures a second of the run");
+  addSetting(command, "--fps", options.frames_per_s, between(0.1, 1000.0), "Pictures per second of the run");
 }
 
 /// Accepts names of earlier versions, too, but does not list them.
@@ -299,54 +298,57 @@ Option* takesWord(Option* option) {
 void addCameraOptions(Command& command, RenderOptions& options) {
   takesWord<scene::StandardView>(command.add_option("--view", options.side, "Side to look from"));
   addNumber(command, "--yaw-deg", options.yaw_deg, between(-180.0, 180.0),
-            "Turned from that side; positive sees more of the right");
+            "Rotation from that side; positive shows more of the right");
   addNumber(command, "--pitch-deg", options.pitch_deg, between(-89.0, 89.0),
-            "Turned from that side; positive looks from above");
-  addNumber(command, "--zoom", options.zoom, between(0.01, 1000.0), "1 shows the whole body");
+            "Elevation from that side; positive looks from above");
+  addNumber(command, "--zoom", options.zoom, between(0.01, 1000.0), "Zoom factor; 1 shows the whole body");
   addBodyPlace(command, "--look-at", options.look_at,
-               "Place in the middle of the picture, mm, or in words: \"T6 right 30 mm\" (docs/reference/names.md)");
+               "Place in the middle of the picture (mm), or its name: \"T6 right 30 mm\" (docs/reference/names.md)");
 }
 
 void addLookOptions(Command& command, RenderOptions& options) {
   command.add_option("--show", options.show,
-                     "Names with commas: overlays (wireframe, triangles, leaves, planes, box, ellipses, rings, arrows, "
-                     "contact, normals, section, names, pressure, lumps, cut, muscles) and colours (plain, strain, "
-                     "stiffness, ellipse-map, scalar)");
-  command.add_option("--scalar", options.scalar, "Colour the skin by this number of the vertices of its PLY file");
-  takesWord<ColourMap>(command.add_option("--scalar-map", options.scalar_map, "Its colours"));
+                     "Comma-separated names: overlays (wireframe, triangles, leaves, planes, box, ellipses, rings, "
+                     "arrows, contact, normals, section, names, pressure, lumps, cut, muscles) and colours (plain, "
+                     "strain, stiffness, ellipse-map, scalar)");
+  command.add_option("--scalar", options.scalar, "Colour the skin by this vertex value of its PLY file");
+  takesWord<ColourMap>(command.add_option("--scalar-map", options.scalar_map, "Colour map of that value"));
   addNumber(command, "--scalar-range", options.scalar_range, between(-1e9, 1e9),
-            "Values of the two ends of its colours, LOW,HIGH (default: its least and greatest)")
+            "Values at the ends of the colour map, LOW,HIGH (default: minimum and maximum)")
       ->delimiter(',')
       ->expected(2)
       ->allow_extra_args(false);
-  takesWord<scene::Shading>(command.add_option("--shading", options.shading, "Light"));
-  takesWord<scene::FingerShape>(
-      command.add_option("--finger", options.finger, "What a finger looks like; auto is finger"));
-  addNumber(command, "--opacity", options.opacity, between(0.0, 1.0), "Of the skin; below 1 the bones show");
-  addNumber(command, "--skin-tone", options.skin_tone, between(1.0, 6.0), "Of the skin, very light to very dark");
+  takesWord<scene::Shading>(command.add_option("--shading", options.shading, "Shading of the skin"));
+  takesWord<scene::FingerShape>(command.add_option("--finger", options.finger, "Shape of the fingers; auto is finger"));
+  addNumber(command, "--opacity", options.opacity, between(0.0, 1.0),
+            "Opacity of the skin; below 1 the bones show through");
+  addNumber(command, "--skin-tone", options.skin_tone, between(1.0, 6.0),
+            "Tone of the skin, from very light to very dark");
   addNumber(command, "--dent-contrast", options.dent_contrast, between(0.0, 5.0),
-            "How strongly dents are shaded; 1 is as it would be, with contours 0.5, 2.5, 4.5 ... mm deep on one that "
-            "is small in the picture; above it is exaggerated; 0 leaves shading and contours out");
-  command.add_flag("--lens", options.lens, "A close view from beside the finger in the lower left corner");
+            "Shading of dents; 1 is natural, with contours at 0.5, 2.5, 4.5 ... mm on a dent that is small in the "
+            "picture; above 1 exaggerates; 0 omits shading and contours");
+  command.add_flag("--lens", options.lens, "Draw a close-up from beside the finger in the lower left corner");
   command.add_flag("--muscles", options.muscles,
                    "Draw trapezius, latissimus dorsi and erector spinae on the skin, with their names");
   command.add_flag("--white", options.white, "White background");
   command.add_flag_function(
       "--texture,!--no-texture", [&options](std::int64_t times) { options.texture = times > 0; },
-      "The body's own picture, if the scene names one, or the colours of its PLY file (default: as the scene says)");
-  command.add_flag("--detail,!--no-detail", options.detail, "Skin lines, near by (default)");
-  command.add_option("--title", options.title, "Words in the upper left corner");
-  command.add_flag("--labels,!--no-labels", options.labels, "Legend, scale bar, directions and numbers (default)");
+      "Draw the body's texture, if the scene names one, or the colours of its PLY file (default: from the scene)");
+  command.add_flag("--detail,!--no-detail", options.detail, "Draw skin lines in close views (default)");
+  command.add_option("--title", options.title, "Text in the upper left corner");
+  command.add_flag("--labels,!--no-labels", options.labels, "Draw legend, scale bar, directions and numbers (default)");
 }
 
 void addStereoOptions(Command& command, RenderOptions& options) {
-  takesWord<scene::StereoMode>(command.add_option("--stereo", options.stereo, "How two eyes share the picture"));
+  takesWord<scene::StereoMode>(
+      command.add_option("--stereo", options.stereo, "Stereo mode: how the picture holds the views of both eyes"));
   addNumber(command, "--eye-distance-mm", options.eye_distance_mm, between(0.0, 200.0, "mm"),
-            "Between the eyes; 0 is as good as mono");
+            "Distance between the eyes; 0 is the same as mono");
   addNumber(command, "--convergence-mm", options.convergence_mm, between(0.0, kFarthestMm, "mm"),
-            "From the eyes to what appears in the plane of the screen; 0 is the middle of the picture");
-  command.add_flag("--swap-eyes", options.swap_eyes, "The other way round");
-  addPlace(command, "--head-mm", options.head_mm, "Head before a real screen, mm from its middle");
+            "Distance from the eyes to the plane of the screen; 0 is the distance of the picture's middle");
+  command.add_flag("--swap-eyes", options.swap_eyes, "Swap the views of the eyes");
+  addPlace(command, "--head-mm", options.head_mm,
+           "Position of the head in front of a real screen (mm from its middle)");
   addNumber(command, "--screen-height-mm", options.screen_height_mm, above(0.0, kFarthestMm, "mm"),
             "Height of that screen");
 }
@@ -359,20 +361,19 @@ void addSize(Command& command, view::PictureSize& size) {
     size.width = static_cast<int>(countFrom(kSize, std::string(sides[0]), limits));
     size.height = static_cast<int>(countFrom(kSize, std::string(sides[1]), limits));
   };
-  command.add_option_function(kSize, read, "Of the picture" + rangeText(between(1, kLargestSide, "pixels each")))
+  command.add_option_function(kSize, read, "Size of the picture" + rangeText(between(1, kLargestSide, "pixels each")))
       ->type_name("WIDTHxHEIGHT")
       ->default_str(fmt::format("{}x{}", size.width, size.height));
 }
 
 void addOutputOptions(Command& command, RenderOptions& options) {
-  namesFileToWrite(
-      command.add_option("-o,--out", options.output,
-                         "PNG file; a sequence gets numbers before .png. With --frames also a film: .webm or .gif, or "
-                         ".mp4 if ffmpeg is installed"))
+  namesFileToWrite(command.add_option("-o,--out", options.output,
+                                      "PNG file, numbered for a sequence; with --frames also a film: .webm or .gif, or "
+                                      ".mp4 if ffmpeg is installed"))
       ->capture_default_str();
   addSize(command, options.size);
   addSetting(command, "--supersampling", options.size.supersampling, between(1, 4),
-             "Each pixel is the mean of this many squared");
+             "Average each pixel over this number of samples squared");
   command.add_flag("--json", options.json, "Print a report as JSON");
 }
 

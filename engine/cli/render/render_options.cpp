@@ -63,7 +63,8 @@ void useScalar(const RenderOptions& options, scene::ViewSettings& settings) {
   }
   replace(settings.scalar_map, options.scalar_map);
   if (options.scalar_range.empty()) return;
-  if (!(options.scalar_range[0] < options.scalar_range[1])) throw Error("--scalar-range needs two rising numbers");
+  if (!(options.scalar_range[0] < options.scalar_range[1]))
+    throw Error("--scalar-range must be two increasing numbers");
   settings.scalar_range = Vec2(options.scalar_range[0], options.scalar_range[1]);
 }
 
@@ -105,9 +106,9 @@ std::vector<std::filesystem::path> pictureFiles(const RenderOptions& options) {
   const bool film = isFilm(options.output);
   if (!film && options.output.extension() != ".png") {
     throw Error::inFile(options.output.string(),
-                        "must be named *.png: pictures are written as PNG, films as *.webm, *.gif or *.mp4");
+                        "must be named *.png for pictures, or *.webm, *.gif or *.mp4 for films");
   }
-  if (film && options.frames == 1) throw Error::inFile(options.output.string(), "a film needs --frames above 1");
+  if (film && options.frames == 1) throw Error::inFile(options.output.string(), "a film requires --frames above 1");
   if (film) requireFilmWriter(options.output, filmFormat(options));
   if (options.frames == 1) return {options.output};
   std::vector<std::filesystem::path> files;

@@ -38,7 +38,7 @@ struct ReplayArguments {
 trace::TickSpan resolveSpan(const ReplayArguments& arguments, const trace::RecordingFacts& facts) {
   const double rate = facts.header.ticks_per_s;
   const trace::TickSpan span = toTickSpan(arguments.span, rate);
-  if (facts.samples == 0) throw Error::inFile(arguments.file.string(), "holds no tick");
+  if (facts.samples == 0) throw Error::inFile(arguments.file.string(), "has no ticks");
   if (span.from > facts.last_tick) {
     throw Error::inFile(arguments.file.string(),
                         fmt::format("ends at {} s, before --from", static_cast<double>(facts.last_tick) / rate));
@@ -132,18 +132,15 @@ void runReplay(const ReplayArguments& arguments) {
 }  // namespace
 
 void addReplayCommand(Command& recording) {
-  const auto [command, a] =
-      addCommand(recording, "replay",
-                 "Feel a recording again, through its own scene, and compare every bit with what was felt", runReplay);
+  const auto [command, a] = addCommand(recording, "replay", "Replay a recording and verify it bit by bit", runReplay);
   command.add_option("RECORDING", a.file, "Recording file")->required();
-  command.add_flag("--verify", a.verify, "Exit code 1 unless every bit is the same");
+  command.add_flag("--verify", a.verify, "Return exit code 1 unless every bit is the same");
   addTimeSpan(command, a.span);
-  namesFileToWrite(command.add_option("-o,--out", a.out, "Write what is felt now as a table of forces (CSV)"));
+  namesFileToWrite(command.add_option("-o,--out", a.out, "Write the replayed forces as a table (CSV)"));
   command.add_option("--folder", a.folder, "Folder of the files that the scene names (default: where they were)");
-  command.add_option(
-      "--render", a.film,
-      "Also draw it, 25 pictures a second: a film (FILE.webm, FILE.gif, FILE.mp4) or numbered pictures (FILE.png); "
-      "palpate render has more to choose");
+  command.add_option("--render", a.film,
+                     "Also draw it at 25 pictures per second: a film (FILE.webm, FILE.gif, FILE.mp4) or numbered "
+                     "pictures (FILE.png); palpate render has more options");
   command.add_flag("--json", a.json, "Print one JSON object");
 }
 

@@ -124,7 +124,7 @@ void logServo(const servo::LoopReport& report) {
 
 viewer::OpenedScene namedScene(const RunOptions& options) {
   if (!options.preset.empty() && !options.scene.empty()) {
-    throw Error(options.scene + " and --preset " + options.preset + ": one scene at a time");
+    throw Error(options.scene + " and --preset " + options.preset + ": only one scene can be given");
   }
   if (!options.preset.empty()) {
     return {scene::presetScene(options.preset), {.title = std::string(scene::presetNamed(options.preset).title)}};
@@ -134,7 +134,7 @@ viewer::OpenedScene namedScene(const RunOptions& options) {
   viewer::OpenedScene opened = viewer::sceneFromFile(options.scene, standard);
   if (options.unit_mm == 0.0 && options.group.empty()) return opened;
   if (!opened.scene.file.empty()) {
-    throw Error("--unit and --group are for mesh files: " + options.scene + " says its own");
+    throw Error("--unit and --group are for mesh files: " + options.scene + " has its own");
   }
   useUnit(options.unit_mm, opened.scene.body);
   opened.scene.body.group = options.group;
@@ -354,53 +354,49 @@ void addRunCommand(Command& app) {
   Command* command = app.add_subcommand("run", "Open a window and touch a body with the mouse");
   command->group("Touch");
   const auto options = std::make_shared<RunOptions>();
-  command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file; without one: the built-in trunk");
+  command->add_option("SCENE", options->scene, "Scene (TOML) or mesh file (default: the built-in trunk)");
   addPresetOption(*command, options->preset);
-  restrictTo({"measuring", "class"}, command->add_option("--begin", options->begin, "What to open first"));
+  restrictTo({"measuring", "class"}, command->add_option("--begin", options->begin, "Mode to open first"));
   command->footer(
-      "Examples:\n"
-      "  palpate run --preset vhb                 The dissertation's Virtual Haptic Back\n"
-      "  palpate run                              The built-in trunk in layered tissue\n"
-      "  palpate run my_scan.stl                  Any mesh\n"
-      "  palpate run scene.toml --device mouse    A scene file, the left finger held by a device");
+      "Examples:\n  palpate run --preset vhb                 The dissertation's Virtual Haptic Back\n  palpate run     "
+      "                         The built-in trunk in layered tissue\n  palpate run my_scan.stl                  Any "
+      "mesh\n  palpate run scene.toml --device mouse    A scene file, with a device for the left finger");
   addUnit(*command, options->unit_mm);
-  command->add_option("--group", options->group, "Only this group or object of an OBJ file");
+  command->add_option("--group", options->group, "Use only this group or object of an OBJ file");
   command->add_option("--play", options->play,
                       "Play an input script (docs/reference/viewer.md): time_s, event, values");
   command->add_option("--replay", options->replay,
-                      "Play a recording, or press the same places again as a table of forces (CSV), to be stepped tick "
-                      "by tick");
-  command->add_option("--beside", options->beside, "Play this recording beside that of --replay");
+                      "Play a recording, or repeat the presses of a table of forces (CSV), tick by tick if wanted");
+  command->add_option("--beside", options->beside, "Play this recording next to that of --replay");
   for (const OfferedMode& add : offeredModes()) options->modes.push_back(add(*command));
   restrictTo(wordList<view::StereoMode>(),
-             command->add_option("--stereo", options->stereo,
-                                 "Stereo mode instead of the remembered one; quad-buffer asks for a window for shutter "
-                                 "glasses"));
+             command->add_option(
+                 "--stereo", options->stereo,
+                 "Stereo mode in place of the remembered one; quad-buffer requests a window for shutter glasses"));
   command
-      ->add_option(
-          "--head-tracker", options->head_tracker,
-          "Follow a head that opentrack sends (\"UDP over network\"; its default is 4242), or a headset by openxr: the "
-          "screen is a window onto a body of true size (docs/reference/viewer.md)")
+      ->add_option("--head-tracker", options->head_tracker,
+                   "Track the head with opentrack (\"UDP over network\", default port 4242) or with a headset "
+                   "(openxr): the screen becomes a window onto a life-size body (docs/reference/viewer.md)")
       ->type_name("[ADDRESS:]PORT|openxr");
   addDeviceOption(*command, options->devices,
-                  "Holds the left finger instead of the mouse, the right one when given again");
+                  "Device for the left finger, in place of the mouse; repeat for the right one");
   addUnsafeStiffness(*command, options->unsafe_stiffness);
-  addNumber(*command, "--frames", options->frames, between(1, 1e12), "Close after so many frames");
+  addNumber(*command, "--frames", options->frames, between(1, 1e12), "Close after this number of frames");
   addLanguage(*command, options->language);
-  command->add_option("-o,--out", options->out, "Folder for pictures and tables that are saved")->capture_default_str();
+  command->add_option("-o,--out", options->out, "Folder for saved pictures and tables")->capture_default_str();
   addNumber(*command, "--width", options->width, between(320, 16384, "pixels"),
-            "Of the window, instead of the remembered one");
-  addNumber(*command, "--height", options->height, between(240, 16384, "pixels"), "Of the window");
+            "Width of the window, in place of the remembered one");
+  addNumber(*command, "--height", options->height, between(240, 16384, "pixels"), "Height of the window");
   command->add_flag("--full-screen", options->full_screen, "Fill the screen");
-  command->add_flag("--no-intro", options->no_intro, "Show neither the start page nor hints nor how to press");
-  command->add_flag("--no-shortcuts", options->no_shortcuts, "Keys do nothing, but for F1 and Esc");
-  command->add_flag("--no-state", options->no_state, "Neither read nor write what is remembered between runs");
-  command->add_flag("--no-session", options->no_recording, "Do not record the last hour by itself");
+  command->add_flag("--no-intro", options->no_intro, "Skip the start page, hints and instructions");
+  command->add_flag("--no-shortcuts", options->no_shortcuts, "Disable all keys except F1 and Esc");
+  command->add_flag("--no-state", options->no_state, "Do not read or write settings remembered between runs");
+  command->add_flag("--no-session", options->no_recording, "Do not record the last hour automatically");
   command->add_option("--sessions", options->recordings,
-                      "Folder for recordings of the last hour (default: the user's own, or with --no-state none)");
+                      "Folder for recordings of the last hour (default: the user's own; none with --no-state)");
   command->add_flag("--verbose", options->verbose,
-                    "Print a line for every frame, where the controls are, and the servo's report at the end");
-  command->add_flag("--keys", options->keys, "Print the table of keys (Markdown) and stop");
+                    "Print a line per frame, the positions of the controls, and the servo report at the end");
+  command->add_flag("--keys", options->keys, "Print the table of keys (Markdown) and exit");
   command->callback([=] {
     if (options->keys) {
       fmt::print("{}", window::keysAsMarkdown());

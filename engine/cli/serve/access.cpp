@@ -84,7 +84,7 @@ Tokens completed(Tokens given) {
     if (const std::string fault = faultOfToken(*token); !fault.empty()) throw Error("token: " + fault);
   }
   if (given.look == given.control || given.look == given.instruct || given.control == given.instruct) {
-    throw Error("token: two of the three are the same: they would not say who is who");
+    throw Error("token: the three tokens must all be different");
   }
   return given;
 }

@@ -19,32 +19,33 @@ Option* addToken(Command& command, const std::string& name, std::string& token, 
 void addAccess(Command& command, serving::ServeOptions& options) {
   command
       .add_option("--host", options.host,
-                  "Address of this computer to listen at; another than loopback needs a token that you give")
+                  "Address to listen on; any other than loopback requires --token or --token-file")
       ->capture_default_str();
-  addSetting(command, "--port", options.port, between(0, 65535), "Port to listen at; 0: any that is free");
+  addSetting(command, "--port", options.port, between(0, 65535), "Port to listen on; 0 chooses a free one");
   addToken(command, "--token", options.tokens.control,
-           "Who has it may move the finger, one at a time (default: one is made and printed)");
-  addToken(command, "--look-token", options.tokens.look, "Who has it looks on; likewise");
+           "Token for controlling a finger, one user at a time (default: generated and printed)");
+  addToken(command, "--look-token", options.tokens.look, "Token for watching (default: generated and printed)");
   addToken(command, "--instruct-token", options.tokens.instruct,
-           "Who has it may take the finger from anybody, pause it and write to all; likewise");
+           "Token for instructors, who can take over a finger, pause it and message everyone (default: generated and "
+           "printed)");
   command.add_option("--token-file", options.token_file,
-                     "Read the three tokens from this file of yours alone (mode 600), or write those that are made; "
-                     "other users see the words of a command, not its files");
-  Option* certificate = command
-                            .add_option("--tls-cert", options.tls_cert,
-                                        "Certificate (PEM, with those that it is signed by) for HTTPS; needs "
-                                        "--tls-key")
-                            ->type_name("FILE");
+                     "Private file (mode 600) to read the three tokens from, or to write generated ones to; safer than "
+                     "options, which other users can see");
+  Option* certificate =
+      command
+          .add_option("--tls-cert", options.tls_cert, "Certificate for HTTPS (PEM, with its chain); requires --tls-key")
+          ->type_name("FILE");
   Option* key =
-      command.add_option("--tls-key", options.tls_key, "Its key (PEM, not readable by others)")->type_name("FILE");
+      command.add_option("--tls-key", options.tls_key, "Private key of the certificate (PEM, not readable by others)")
+          ->type_name("FILE");
   certificate->needs(key);
   key->needs(certificate);
   command
       .add_option("--origin", options.origins,
-                  "A page from there may look too, for a proxy: https://place.example; once for each")
+                  "Also accept pages from this origin, e.g. behind a proxy: https://place.example; repeatable")
       ->type_name("URL")
       ->allow_extra_args(false);
-  addSetting(command, "--onlookers", options.watchers, between(1, 1000), "How many may look on at once");
+  addSetting(command, "--onlookers", options.watchers, between(1, 1000), "Maximum number of viewers at a time");
 }
 
 }  // namespace
@@ -52,21 +53,22 @@ void addAccess(Command& command, serving::ServeOptions& options) {
 void addServeFamily(Command& app) {
   const auto options = std::make_shared<serving::ServeOptions>();
   Command& command = *app.add_subcommand(
-      "serve", "Feel here, with devices, and show it in browsers: the skin is deformed there (docs/howto/serve.md)");
+      "serve",
+      "Serve palpation with local devices to browsers, which deform the skin themselves (docs/howto/serve.md)");
   options->input.needs_fingers = false;
   addInputOptions(command, options->input);
   addNumber(command, "--seconds", options->input.seconds, above(0.0, 864000.0, "s"),
-            "End by itself after so long (default: Ctrl+C ends it)");
+            "Stop after this time (default: on Ctrl+C)");
   addDeviceOption(command, options->devices,
-                  "Holds the left finger, the right one when given again; the others are moved by pages");
+                  "Device for the left finger; repeat for the right one; pages move the others");
   addAccess(command, *options);
   command.add_option("--site", options->site,
-                     "Folder of the page (tools/build-web) (default: the installed one, where there is one)");
+                     "Folder of the page made by tools/build-web (default: the installed one, if any)");
   command.add_option("--record", options->recording, "Record every tick into this file (docs/reference/recordings.md)")
       ->type_name("FILE");
-  command.add_flag("--overwrite", options->overwrite, "Replace a recording of that name");
+  command.add_flag("--overwrite", options->overwrite, "Replace an existing recording of that name");
   command.add_flag("--json", options->json,
-                   "Print one JSON line with address and file of tokens at the start, and one with counts at the end");
+                   "Print a JSON line with address and token file at the start, and one with counts at the end");
   command.callback([options, &command] {
     options->input.radius_given = command.count("--radius-mm") > 0;
     serving::serve(*options);

@@ -58,7 +58,7 @@ Tokens tokensFor(const ServeOptions& options) {
   const bool given = !options.tokens.control.empty();
   const bool from_file = !options.token_file.empty() && fs::exists(options.token_file);
   if (given && from_file) {
-    throw Error::inFile(options.token_file.string(), "has tokens already: this file, or --token");
+    throw Error::inFile(options.token_file.string(), "already contains tokens; use either this file or --token");
   }
   if (!isLoopback(options.host) && !given && !from_file) {
     throw Error(
@@ -183,7 +183,7 @@ std::unique_ptr<engine::Recorder> recorderFor(const ServeOptions& options, const
                                               viewer::LiveServo& servo) {
   if (options.recording.empty()) return nullptr;
   if (!options.overwrite && fs::exists(options.recording)) {
-    throw Error::inFile(options.recording.string(), "exists already: another name, or --overwrite");
+    throw Error::inFile(options.recording.string(), "already exists; use another name, or --overwrite");
   }
   engine::RecorderSettings settings;
   settings.file = options.recording;

@@ -128,13 +128,15 @@ Site::Site(const fs::path& folder) {
     std::string content = readFile(at->path(), kMaxSiteBytes);
     bytes += content.size();
     if (bytes > kMaxSiteBytes || files_.size() == kMaxSiteFiles) {
-      throw Error::inFile(folder.string(), fmt::format("more than {} files or {} MB: is this the page's folder?",
-                                                       kMaxSiteFiles, kMaxSiteBytes >> 20));
+      throw Error::inFile(folder.string(),
+                          fmt::format("has more than {} files or {} MB; check that it is the page's folder",
+                                      kMaxSiteFiles, kMaxSiteBytes >> 20));
     }
     if (mediaType(relative).starts_with("text/html")) markServed(content);
     files_.emplace("/" + relative.generic_string(), siteFile(std::move(content), mediaType(relative)));
   }
-  if (!files_.contains("/index.html")) throw Error::inFile(folder.string(), "has no index.html: tools/build-web");
+  if (!files_.contains("/index.html"))
+    throw Error::inFile(folder.string(), "has no index.html; build the page with tools/build-web");
 }
 
 const SiteFile* Site::find(std::string_view request_path) const {

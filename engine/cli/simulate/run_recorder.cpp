@@ -137,7 +137,8 @@ void RunRecorder::finish(const Progress& progress) {
   for (std::size_t i = 0; i < moments_.size(); ++i) {
     report(progress, "writing surfaces", static_cast<double>(i) / static_cast<double>(moments_.size() + 1));
     write(moments_[i]);
-    if (moments_[i].frame.empty()) notes_.push_back(fmt::format("no {}: the run ended before", moments_[i].file));
+    if (moments_[i].frame.empty())
+      notes_.push_back(fmt::format("{} was not written: the run ended before its time", moments_[i].file));
   }
   write(deepest_);
 }

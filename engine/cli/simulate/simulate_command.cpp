@@ -38,25 +38,24 @@ void runSimulate(const SimulateOptions& options) {
 }
 
 void addOutputOptions(Command& command, SimulateOptions& options) {
-  command.add_option(
-      "-o,--out", options.out,
-      "Folder for forces.csv, forces.png, surfaces (PLY), pictures.png and report.json (default: results, or "
-      "results-2, ... where an earlier run is)");
-  command.add_flag("--overwrite", options.overwrite, "Replace the run that is in the folder");
+  command.add_option("-o,--out", options.out,
+                     "Output folder for forces.csv, forces.png, surfaces (PLY), pictures.png and report.json (default: "
+                     "results, or the next free results-N)");
+  command.add_flag("--overwrite", options.overwrite, "Replace an earlier run in the folder");
   command.add_flag("--realtime", options.realtime,
-                   "Pace the servo loop by the clock, deform at 60 Hz beside it, and report how late it woke");
+                   "Run the servo loop in real time, deform at 60 Hz alongside, and report the servo's lateness");
   command.add_flag(
       "--session", options.recording,
-      "Leave run.session, every tick to the bit, for `palpate recording replay` (docs/reference/recordings.md)");
-  command.add_flag("--pictures,!--no-pictures", options.pictures, "Leave pictures.png, what it looked like (default)");
-  command.add_flag("--plot,!--no-plot", options.plot, "Leave forces.png, force, depth and lag over time (default)");
+      "Write run.session, with every tick bit for bit, for `palpate recording replay` (docs/reference/recordings.md)");
+  command.add_flag("--pictures,!--no-pictures", options.pictures, "Write pictures.png, pictures of the run (default)");
+  command.add_flag("--plot,!--no-plot", options.plot, "Write forces.png: force, depth and lag over time (default)");
   command.add_flag("--json", options.json, "Print the report as JSON instead of the summary");
 }
 
 }  // namespace
 
 void addSimulateCommand(Command& app) {
-  Command* command = app.add_subcommand("simulate", "Palpate a body without a device and write what was felt");
+  Command* command = app.add_subcommand("simulate", "Palpate a body without a device and write the forces");
   command->group("Touch");
   const auto options = std::make_shared<SimulateOptions>();
   const auto keys = std::make_shared<bool>(false);
@@ -64,11 +63,11 @@ void addSimulateCommand(Command& app) {
   addShapeOptions(*command, *options);
   addSecondsOption(*command, *options);
   addDeviceOption(*command, options->devices,
-                  "Holds the first finger instead of its path, the second when given again; its origin lies where the "
-                  "path begins, and hardware needs --realtime");
+                  "Device for the first finger; repeat for the second. Its origin is the start of the finger's path. "
+                  "Hardware requires --realtime");
   addUnsafeStiffness(*command, options->unsafe_stiffness);
   addOutputOptions(*command, *options);
-  command->add_flag("--keys", *keys, "Print every key of scene files (Markdown) and stop");
+  command->add_flag("--keys", *keys, "Print every key of scene files (Markdown) and exit");
   command->callback([=] {
     options->radius_given = command->count("--radius-mm") > 0;
     if (*keys) {

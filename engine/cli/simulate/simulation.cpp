@@ -75,7 +75,7 @@ void useDevices(const SimulationSettings& settings, const device::FingerPaths& p
   std::vector<device::Device> devices = openDevices(settings.devices, fingers);
   for (std::size_t i = 0; i < devices.size(); ++i) {
     if (devices[i].capabilities.rhythm != device::Rhythm::on_call && !settings.realtime) {
-      throw Error(devices[i].name + ": a haptic device runs by the clock; add --realtime");
+      throw Error(devices[i].name + ": a haptic device runs in real time; add --realtime");
     }
     devices[i] = placedDevice(devices[i], settings.devices[i], i, paths.tips[i]->front(), result.world->scene);
     servo::giveDevice(rig.fingers[i], devices[i]);
@@ -83,7 +83,7 @@ void useDevices(const SimulationSettings& settings, const device::FingerPaths& p
   applyLimits(devices, rig, result);
   const double factor = result.limits.stiffness_factor;
   for (std::size_t i = 0; i < devices.size(); ++i) {
-    result.notes.push_back(fmt::format("finger {} is held by {}{}", result.world->scene.fingers[i].name,
+    result.notes.push_back(fmt::format("finger {} is moved by {}{}", result.world->scene.fingers[i].name,
                                        device::describe(devices[i]),
                                        factor < 1.0 ? fmt::format("; all forces times {:.2f}", factor) : ""));
   }
@@ -119,10 +119,10 @@ void run(const device::FingerPaths& paths, const SimulationSettings& settings, R
 void noteUntouched(const scene::World& world, const RunStatistics& statistics, std::vector<std::string>& notes) {
   if (statistics.anyTouch()) return;
   const Eigen::AlignedBox3d box = mesh::boundingBox(world.body->skin);
-  notes.push_back(fmt::format(
-      "no finger touched the body, which lies between ({:.1f}, {:.1f}, {:.1f}) and ({:.1f}, {:.1f}, {:.1f}) mm: "
-      "trajectories are in its coordinates",
-      box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z()));
+  notes.push_back(
+      fmt::format("no finger touched the body, which extends from ({:.1f}, {:.1f}, {:.1f}) to ({:.1f}, {:.1f}, {:.1f}) "
+                  "mm; trajectories use its coordinates",
+                  box.min().x(), box.min().y(), box.min().z(), box.max().x(), box.max().y(), box.max().z()));
 }
 
 /// Drawing may fail without ending the run, and an interrupted run is not drawn.
@@ -130,9 +130,9 @@ std::optional<view::Image> drawnSheet(const RunRecorder& recorder, SimulationRes
   try {
     return contactSheet(result.world, {recorder.deepest(), recorder.farthest()}, interruptible(progress));
   } catch (const Error& error) {
-    result.notes.push_back(fmt::format("no {}: {}", kPicturesFile, error.what()));
+    result.notes.push_back(fmt::format("{} was not written: {}", kPicturesFile, error.what()));
   } catch (const Ended& ended) {
-    result.notes.push_back(fmt::format("no {}: {}", kPicturesFile, ended.what()));
+    result.notes.push_back(fmt::format("{} was not written: {}", kPicturesFile, ended.what()));
   }
   return std::nullopt;
 }
@@ -152,7 +152,7 @@ void noteEnd(const scene::World& world, SimulationResult& result) {
   result.ended_by = endingSignal();
   if (result.ended_by == 0 || seconds >= result.planned_s) return;
   result.duration_s = seconds;
-  result.notes.push_back(fmt::format("ended by {} after {:.3f} of {:.3f} s: the results are those of this part",
+  result.notes.push_back(fmt::format("ended by {} after {:.3f} of {:.3f} s; the results cover this part only",
                                      nameOfSignal(result.ended_by), seconds, result.planned_s));
 }
 
@@ -174,7 +174,7 @@ void leavePlot(SimulationResult& result) {
     result.files.emplace_back(kPlotFile);
   } else {
     result.notes.push_back(
-        fmt::format("no {}: palpate-report, which draws it, is not installed, or failed", kPlotFile));
+        fmt::format("{} was not written: palpate-report, which draws it, is not installed, or failed", kPlotFile));
   }
 }
 

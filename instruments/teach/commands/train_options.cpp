@@ -25,7 +25,7 @@ void addWindowOptions(Command& command, TrainOptions& options) {
   command.add_option("--play", options.play, "Play an input script (docs/reference/viewer.md): time_s, event, values")
       ->group(kGroup);
   addLanguage(command, options.language)->group(kGroup);
-  addNumber(command, "--frames", options.frames, between(1, 1e12), "Close after so many frames")->group(kGroup);
+  addNumber(command, "--frames", options.frames, between(1, 1e12), "Close after this number of frames")->group(kGroup);
   command
       .add_option("--screens", options.screens,
                   "Open no window: write a picture of every screen into this folder, with records of nobody")

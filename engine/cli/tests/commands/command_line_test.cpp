@@ -101,10 +101,9 @@ TEST(CommandLine, WhatAMissingProgramHoldsSaysWhichPackageAndHowItIsBuilt) {
   std::filesystem::copy_file(support::buildFolder() / "palpate", folder / "palpate");
   const support::CommandResult result = support::runProgram(folder / "palpate", "train --trainee weber=0.2");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(
-      result.err,
-      "palpate: palpate train is in the package palpate-teach, which is not installed here; from the source: ./run "
-      "train, or cmake --build BUILD --target palpate_teach_family\n");
+  EXPECT_EQ(result.err,
+            "palpate: palpate train requires the package palpate-teach, which is not installed; from source: ./run "
+            "train, or cmake --build BUILD --target palpate_teach_family\n");
   EXPECT_EQ(support::runProgram(folder / "palpate", "body info --help").exit_code, 0) << "what it holds itself";
 }
 

@@ -187,7 +187,7 @@ TEST_F(SimulateWithADevice, HoldsAFingerInRealTime) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const json report = json::parse(result.out);
   const std::string notes = report["notes"].dump();
-  EXPECT_NE(notes.find("is held by openhaptics, PHANTOM Omni, at most 3.30 N"), std::string::npos) << notes;
+  EXPECT_NE(notes.find("is moved by openhaptics, PHANTOM Omni, at most 3.30 N"), std::string::npos) << notes;
 }
 
 TEST_F(SimulateWithADevice, ASimulatedHandFeelsTheSceneTheSameTwice) {

@@ -217,7 +217,7 @@ TEST(VirtualHapticBack, IsOneWordOfTheCommandAnywhere) {
             "two-devices|scan|strain|oiled|relaxation|breathing|stereo|detecting-box|fine-mesh|vhb-literal; did you "
             "mean 'vhb'? (see --help)\n");
   EXPECT_EQ(support::runPalpate("simulate a.toml --preset vhb", folder.path()).err,
-            "palpate: a.toml and --preset vhb: one scene at a time\n");
+            "palpate: a.toml and --preset vhb: only one scene can be given\n");
   EXPECT_NE(support::thrownMessage([] { scene::presetScene("back"); }).find("unknown preset 'back'"),
             std::string::npos);
 }

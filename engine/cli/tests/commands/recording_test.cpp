@@ -138,7 +138,7 @@ TEST_F(RecordingCommands, RecordWritesWhatIsFeltAndTheMarksThatAreTyped) {
   EXPECT_EQ(palpate("recording replay r.session --verify").exit_code, 0);
   const CommandResult again = palpate("recording new dome.obj --seconds 1 -o r.session");
   EXPECT_EQ(again.exit_code, 2);
-  EXPECT_NE(again.err.find("exists already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("already exists"), std::string::npos) << again.err;
 }
 
 TEST_F(RecordingCommands, AnnotateAddsWhatSomebodyWantsToSayAndLeavesTheTicksAsTheyAre) {

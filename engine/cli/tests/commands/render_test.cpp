@@ -143,17 +143,17 @@ TEST_F(RenderFilm, SaysWhenFfmpegFailsAndKeepsTheFilmThatWasThere) {
   const std::size_t before = filesHere();
   const CommandResult failed = film("--frames 3 -o film.mp4");
   EXPECT_EQ(failed.exit_code, 2);
-  EXPECT_EQ(failed.err, "palpate: film.mp4: ffmpeg made no film of it (exit code 3): Unknown encoder\n");
+  EXPECT_EQ(failed.err, "palpate: film.mp4: ffmpeg failed to write the film (exit code 3): Unknown encoder\n");
   installFfmpeg("/bin/cat >\"$last\"; kill -9 $$");
   const CommandResult killed = film("--frames 3 -o film.mp4");
   EXPECT_EQ(killed.exit_code, 2);
-  EXPECT_EQ(killed.err, "palpate: film.mp4: ffmpeg made no film of it (signal 9)\n");
+  EXPECT_EQ(killed.err, "palpate: film.mp4: ffmpeg failed to write the film (signal 9)\n");
   // What ffmpeg 5.1 does where the last bytes find no room; seen on a disk of 4 kB.
   installFfmpeg("/bin/cat >\"$last\"; echo 'Error closing file x: No space left on device' >&2");
   const CommandResult cut = film("--frames 3 -o film.mp4");
   EXPECT_EQ(cut.exit_code, 2) << cut.out;
   EXPECT_EQ(cut.err,
-            "palpate: film.mp4: ffmpeg made no film of it (exit code 0): Error closing file x: No space left on "
+            "palpate: film.mp4: ffmpeg failed to write the film (exit code 0): Error closing file x: No space left on "
             "device\n");
   EXPECT_EQ(support::contentOf(folder_ / "film.mp4"), "before");
   EXPECT_EQ(filesHere(), before) << "nothing half done is left";
@@ -163,7 +163,8 @@ TEST_F(RenderFilm, SaysBeforeTheWorkWhatNeedsFfmpegAndWhatDoesNot) {
   const std::size_t before = filesHere();
   const CommandResult result = film("--frames 3 -o film.mp4");
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.err, "palpate: film.mp4: MP4 needs ffmpeg, which is not installed; film.webm and film.gif do not\n");
+  EXPECT_EQ(result.err,
+            "palpate: film.mp4: MP4 requires ffmpeg, which is not installed; film.webm and film.gif do not\n");
   EXPECT_EQ(filesHere(), before);
 }
 
@@ -289,13 +290,12 @@ TEST_F(Render, DrawsTheTrunkInTheBuildAndPostureAskedFor) {
 }
 
 TEST_F(Render, RefusesWithOneLine) {
-  EXPECT_EQ(
-      runForError("-o picture.jpg"),
-      "palpate: picture.jpg: must be named *.png: pictures are written as PNG, films as *.webm, *.gif or *.mp4\n");
+  EXPECT_EQ(runForError("-o picture.jpg"),
+            "palpate: picture.jpg: must be named *.png for pictures, or *.webm, *.gif or *.mp4 for films\n");
   support::expectEach([&](const std::string& options) { return runForError(options); },
-                      {{"-o film.mp4", "palpate: film.mp4: a film needs --frames above 1\n"},
-                       {"--at 7", "palpate: there is no moment 7 s: the run lasts from 0 to 1.000 s\n"},
-                       {"--pose 1,2", "palpate: --pose: needs x,y,z, or several of them (see --help)\n"},
+                      {{"-o film.mp4", "palpate: film.mp4: a film requires --frames above 1\n"},
+                       {"--at 7", "palpate: 7 s is outside the run, which lasts from 0 to 1.000 s\n"},
+                       {"--pose 1,2", "palpate: --pose: expected x,y,z, or several of them (see --help)\n"},
                        {"--pose 1,2,x", "palpate: --pose: 'x' is not a number (-100,000 to 100,000 mm) (see --help)\n"},
                        {"--look-at 1,2", "palpate: --look-at: '1,2' must be three numbers x,y,z in mm (see --help)\n"},
                        {"--show wirefame", "palpate: --show: unknown word 'wirefame'; did you mean 'wireframe'?\n"}});

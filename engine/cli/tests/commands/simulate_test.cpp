@@ -99,7 +99,8 @@ TEST_F(Simulate, GoesOnWherePicturesCannotBeDrawn) {
       "MESA_GL_VERSION_OVERRIDE=2.1 " + support::builtProgram() + " simulate --mesh dome.obj --trajectory path.csv",
       folder_.path());
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_NE(result.out.find("no pictures.png: cannot draw: needs OpenGL 3.3, found "), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("pictures.png was not written: cannot draw: needs OpenGL 3.3, found "), std::string::npos)
+      << result.out;
 }
 
 TEST_F(Simulate, FindsItsOwnWayOverAnyMeshAndSavesIt) {
@@ -132,7 +133,7 @@ TEST_F(Simulate, AMeshWhereASceneMayStandIsPalpatedAsItIs) {
   EXPECT_EQ(report("alone")["hash"], report("named")["hash"]);
   const CommandResult both = simulate("dome.obj --mesh dome.obj");
   EXPECT_EQ(both.exit_code, 2);
-  EXPECT_EQ(both.err, "palpate: dome.obj and --mesh dome.obj: one body at a time\n");
+  EXPECT_EQ(both.err, "palpate: dome.obj and --mesh dome.obj: only one body can be given\n");
 }
 
 TEST_F(Simulate, TouchesThroughTheDetectingBoxAsThroughTheWholeSkin) {
@@ -182,8 +183,9 @@ TEST_F(Simulate, WritesSurfacesWithDisplacementAndStrain) {
         "[[finger]]\nname = \"a\"\ntrajectory = \"path.csv\"\n");
   ASSERT_EQ(simulate("s.toml").exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "results/forces.csv"));
-  EXPECT_NE(std::string(report()["notes"].dump()).find("no surface_9.000s.ply: the run ended before"),
-            std::string::npos);
+  EXPECT_NE(
+      std::string(report()["notes"].dump()).find("surface_9.000s.ply was not written: the run ended before its time"),
+      std::string::npos);
   const std::string ply = contentOf(folder_ / "results/surface_1.000s.ply");
   for (const char* property : {"displacement_mm", "strain", "stiffness_n_per_mm", "red"}) {
     EXPECT_NE(ply.substr(0, 1000).find(property), std::string::npos) << property;
@@ -224,8 +226,8 @@ TEST_F(Simulate, MixesNoTwoRuns) {
   ASSERT_EQ(simulate(run).exit_code, 0) << "without --out a second run gets a name of its own";
   EXPECT_TRUE(std::filesystem::exists(folder_ / "results-2/report.json"));
   const std::string error = runForError(run + " --out results");
-  EXPECT_NE(error.find("results: holds another run ("), std::string::npos) << error;
-  EXPECT_NE(error.find("--overwrite replaces it, --out results-3 is free"), std::string::npos) << error;
+  EXPECT_NE(error.find("results: contains another run ("), std::string::npos) << error;
+  EXPECT_NE(error.find("replace it with --overwrite, or use --out results-3"), std::string::npos) << error;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "results/surface_deepest.ply"));
   write("air.csv", "t_s,x_mm,y_mm,z_mm\n0,0,0,300\n0.1,0,0,290\n");
   ASSERT_EQ(simulate("--mesh dome.obj --trajectory air.csv --out results --overwrite").exit_code, 0);
@@ -298,7 +300,7 @@ TEST_F(Simulate, SaysWhenNothingWasTouched) {
   write("away.csv", "0,500,500,500\n0.1,500,500,501\n");
   const CommandResult result = simulate("--mesh dome.obj --trajectory away.csv");
   EXPECT_EQ(result.exit_code, 0);
-  EXPECT_NE(result.out.find("no finger touched the body, which lies between (-100.0, -100.0,"), std::string::npos);
+  EXPECT_NE(result.out.find("no finger touched the body, which extends from (-100.0, -100.0,"), std::string::npos);
 }
 
 TEST_F(Simulate, RefusesWrongInputInOneLineWithExitCodeTwo) {
@@ -323,8 +325,8 @@ TEST_F(Simulate, RefusesWrongInputInOneLineWithExitCodeTwo) {
   EXPECT_EQ(runForError("--mesh dome.obj --out file"),
             "palpate: file: cannot be created as a results folder: Not a directory\n");
   EXPECT_EQ(runForError("--mesh dome.obj --unit furlong"),
-            "palpate: --unit: 'furlong' is neither one of auto, mm, cm, dm, m, in nor a number of millimetres (see "
-            "--help)\n");
+            "palpate: --unit: 'furlong' is not a unit; expected one of auto, mm, cm, dm, m, in, or a number of "
+            "millimetres (see --help)\n");
 }
 
 TEST_F(Simulate, RefusesUnknownOptionsWithExitCodeTwo) {
