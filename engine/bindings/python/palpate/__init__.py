@@ -17,7 +17,7 @@ def _is_in_the_main_interpreter() -> bool:
 
 
 if not _is_in_the_main_interpreter():  # pybind11 would wait there for a lock that is never given
-    raise ImportError("palpate works in the main interpreter of a process alone, not in a sub-interpreter")
+    raise ImportError("palpate works only in the main interpreter of a process, not in a sub-interpreter")
 
 from palpate._core import Error, Finger, Fingers, FingerSettings, Lump, Session, Skin, Touch, World, __version__, _world_of
 

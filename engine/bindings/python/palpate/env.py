@@ -34,7 +34,7 @@ def _taxels(observe: str) -> int:
         return 0
     number = observe.removeprefix("pressure")
     if number == observe or not number.isascii() or not number.isdigit() or not 2 <= int(number) <= 16:
-        raise ValueError(f"observe: 'touch', or 'pressure2' to 'pressure16', not {observe!r}")
+        raise ValueError(f"observe: must be 'touch', or 'pressure2' to 'pressure16', not {observe!r}")
     return int(number)
 
 
@@ -79,7 +79,7 @@ class Stiffest:
         same_side = world.normals @ world.normal_at(around) > 0.3
         candidates = np.flatnonzero(near & same_side)
         if len(candidates) == 0:
-            raise ValueError("the region has no vertex; widen reach_mm")
+            raise ValueError("the region has no vertices; increase reach_mm")
         self.goal: Floats = world.positions[candidates[np.argmax(world.stiffness[candidates])]]
         self.goal_mm = goal_mm
         self._stiffness: Floats = np.append(world.stiffness[world.triangles].mean(axis=1), 0.0)  # -1: free
@@ -120,9 +120,9 @@ class VectorEnv:
 
         observe: "touch", or "pressureN" with an N x N pad of sides of pad_mm, which needs layered tissue."""
         if substeps < 1 or max_steps < 1:
-            raise ValueError("substeps and max_steps: at least 1")
+            raise ValueError("substeps and max_steps: must be at least 1")
         if not reach_mm > 0 or not max_step_mm > 0:
-            raise ValueError("reach_mm and max_step_mm: above 0")
+            raise ValueError("reach_mm and max_step_mm: must be above 0")
         self.world = world
         self.num_envs = num_envs
         self.taxels, self.pad_mm = _taxels(observe), pad_mm
@@ -167,7 +167,7 @@ class VectorEnv:
             raise RuntimeError("call reset first")
         moves = np.asarray(actions, np.float64)
         if moves.shape != (self.num_envs, 3) or not np.isfinite(moves).all():
-            raise ValueError(f"actions: finite numbers of shape ({self.num_envs}, 3) are wanted")
+            raise ValueError(f"actions: expected finite numbers of shape ({self.num_envs}, 3)")
         begins = self._ended
         self._tips += np.clip(moves, -1, 1) * self.max_step_mm
         np.clip(self._tips, self.around - self.reach_mm, self.around + self.reach_mm, out=self._tips)

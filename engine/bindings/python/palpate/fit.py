@@ -115,7 +115,7 @@ def scene(
     path = np.asarray(tips, dtype=float)
     wanted = np.asarray(force, dtype=float)
     if path.ndim != 2 or wanted.shape != path.shape[:1]:
-        raise ValueError(f"tips (T, 3) and force (T,) are wanted, not {path.shape} and {wanted.shape}")
+        raise ValueError(f"expected tips (T, 3) and force (T,), not {path.shape} and {wanted.shape}")
 
     def missed(values: NDArray[Any]) -> ArrayLike:
         felt = world.rebuilt(toml_of(values)).rollout(path[None], settings=settings, fields=("force",))

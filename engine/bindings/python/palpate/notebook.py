@@ -78,7 +78,7 @@ def page_folder(site: str | os.PathLike[str] | None = None) -> pathlib.Path:
         if (folder / "index.html").is_file() and (folder / "notebook.js").is_file():
             return folder
     looked = ", ".join(str(folder) for folder in dict.fromkeys(candidates))
-    raise FileNotFoundError(f"palpate.view.widget: no page is built in {looked}; tools/build-web makes it, site= or PALPATE_SITE names its folder")
+    raise FileNotFoundError(f"palpate.view.widget: no page in {looked}; build it with tools/build-web, or set site= or PALPATE_SITE to its folder")
 
 
 def _files_of(folder: pathlib.Path) -> dict[str, bytes]:
@@ -90,7 +90,7 @@ def _files_of(folder: pathlib.Path) -> dict[str, bytes]:
             continue
         size += file.stat().st_size
         if size > _MOST_SITE_BYTES:
-            raise ValueError(f"palpate.view.widget: {folder} holds more than {_MOST_SITE_BYTES >> 20} MB: is it the page's folder?")
+            raise ValueError(f"palpate.view.widget: {folder} has more than {_MOST_SITE_BYTES >> 20} MB; check that it is the page's folder")
         files["/" + file.name] = file.read_bytes()
     files["/"] = files["/index.html"]
     return files
@@ -115,11 +115,11 @@ class _Exchange:
     def take(self, message: Any) -> list[dict[str, Any]]:
         """Of the page. Gives what is asked of it. Raises ValueError for a message of another form."""
         if not isinstance(message, dict) or not isinstance(message.get("rows"), list) or not isinstance(message.get("answers"), list):
-            raise ValueError("an exchange has rows and answers")
+            raise ValueError("an exchange must have rows and answers")
         rows = np.asarray(message["rows"], dtype=np.float64).reshape(-1, _NUMBERS)
         for answer in message["answers"]:
             if not isinstance(answer, dict) or not isinstance(answer.get("id"), int):
-                raise ValueError("an answer has an id")
+                raise ValueError("an answer must have an id")
         with self.changed:
             self.keep(rows)
             self.body = message.get("body")
@@ -144,7 +144,7 @@ class _Exchange:
             self.waited_for.add(number)
             try:
                 if not self.changed.wait_for(lambda: self.closed or number in self.answers, seconds):
-                    raise TimeoutError(f"palpate.view.widget: the page did not answer within {seconds:g} s: is it shown in a cell?")
+                    raise TimeoutError(f"palpate.view.widget: the page did not answer within {seconds:g} s; show it in a cell first")
                 if self.closed:
                     raise RuntimeError("palpate.view.widget: the widget is closed")
                 answer = self.answers.pop(number)
@@ -251,7 +251,7 @@ class Widget:
 
     def __init__(self, *, height: int = 640, site: str | os.PathLike[str] | None = None) -> None:
         if not 100 <= height <= 4000:
-            raise ValueError("height must be within 100 and 4000 pixels")
+            raise ValueError("height must be 100 to 4000 pixels")
         self._height = height
         self._exchange = _Exchange()
         self._server = _Server(_files_of(page_folder(site)), self._exchange)
@@ -310,7 +310,7 @@ class Widget:
     def press(self, place: str, depth_mm: float = 6.0, *, finger: str = "left", timeout: float = 10.0) -> None:
         """Presses there, 0.5 to 20 mm deep, and stays, as *Hold* does. finger: "left", "right"."""
         if not 0.5 <= depth_mm <= 20.0:
-            raise ValueError("depth_mm must be within 0.5 and 20")
+            raise ValueError("depth_mm must be 0.5 to 20")
         self._exchange.ask("press", {"place": place, "depth": float(depth_mm), "finger": _finger(finger)}, timeout)
 
     def lift(self, finger: str = "left", *, timeout: float = 10.0) -> None:
@@ -354,11 +354,11 @@ def _finger(name: str) -> int:
 
 def _ply_of(vertices: NDArray[np.float64], faces: NDArray[Any]) -> bytes:
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not np.isfinite(vertices).all():
-        raise ValueError("vertices must be (V, 3), finite")
+        raise ValueError("vertices must be finite, of shape (V, 3)")
     if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu" or faces.size == 0:
-        raise ValueError("faces must be (F, 3), whole numbers")
+        raise ValueError("faces must be integers, of shape (F, 3)")
     if faces.min() < 0 or faces.max() >= len(vertices):
-        raise ValueError("faces name vertices that are not there")
+        raise ValueError("faces use vertices that do not exist")
     head = (f"ply\nformat binary_little_endian 1.0\nelement vertex {len(vertices)}\nproperty double x\nproperty double y\nproperty double z\n"
             f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n")
     table = np.zeros(len(faces), np.dtype([("count", "u1"), ("corners", "<i4", 3)]))

@@ -28,7 +28,7 @@ py::array_t<double, py::array::c_style> asFloats(py::handle given, const char* w
   const py::array any = py::array::ensure(given);
   if (!any || std::string("biuf").find(any.dtype().kind()) == std::string::npos) {
     PyErr_Clear();
-    throw py::type_error(fmt::format("{}: numbers are wanted, not {}", what, Py_TYPE(given.ptr())->tp_name));
+    throw py::type_error(fmt::format("{}: expected numbers, not {}", what, Py_TYPE(given.ptr())->tp_name));
   }
   auto floats = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(any);
   if (!floats) throw py::error_already_set();
@@ -42,7 +42,7 @@ py::array_t<double, py::array::c_style> asFloats(py::handle given, const char* w
 Vec3 asPoint(py::handle given, const char* what) {
   const auto floats = asFloats(given, what);
   if (floats.ndim() != 1 || floats.shape(0) != kAxes) {
-    throw py::value_error(fmt::format("{}: three numbers are wanted, not {}", what, formatShape(floats)));
+    throw py::value_error(fmt::format("{}: expected three numbers, not {}", what, formatShape(floats)));
   }
   return {floats.at(0), floats.at(1), floats.at(2)};
 }

@@ -21,7 +21,7 @@ namespace palpate::python {
 
 LentDevices::LentDevices(std::vector<DevicePointer> handles) : handles_(std::move(handles)) {
   for (const DevicePointer& handle : handles_) {
-    if (!handle) throw py::type_error("devices: a palpate.devices.Device is wanted, not None");
+    if (!handle) throw py::type_error("devices: expected a palpate.devices.Device, not None");
     if (!handle->open) throw py::value_error(handle->device.name + ": the device is closed");
     guards_.push_back(std::make_unique<Busy::Guard>(handle->busy, handle->device.name.c_str()));
   }
@@ -83,7 +83,7 @@ double checkedRate(double ticks_per_s) {
 
 DevicePointer opened(const std::string& words, double scale, const ArrayLike& origin_mm, const std::string& axes,
                      const std::string& library, double ticks_per_s) {
-  if (!(scale > 0.0 && scale <= 1000.0)) throw py::value_error("scale: above 0, 1000 at most");
+  if (!(scale > 0.0 && scale <= 1000.0)) throw py::value_error("scale: must be above 0, at most 1000");
   device::OpenOptions options;
   options.library = library;
   options.axes = axes;
@@ -109,11 +109,11 @@ DevicePointer opened(const std::string& words, double scale, const ArrayLike& or
 
 DevicePointer scripted(const ArrayLike& tips) {
   const auto places = asFloats(tips, "tips", 3);
-  if (places.ndim() != 2) throw py::value_error("tips: an array (T, 3) is wanted");
+  if (places.ndim() != 2) throw py::value_error("tips: expected an array (T, 3)");
   const auto path = std::make_shared<std::vector<Vec3>>();
   for (py::ssize_t i = 0; i < places.shape(0); ++i) {
     path->emplace_back(places.at(i, 0), places.at(i, 1), places.at(i, 2));
-    if (!path->back().allFinite()) throw py::value_error(fmt::format("tips[{}] is not finite", i));
+    if (!path->back().allFinite()) throw py::value_error(fmt::format("tips[{}] must be finite", i));
   }
   auto handle = std::make_shared<DeviceHandle>();
   handle->device = device::scriptedDevice("script", path);
@@ -135,7 +135,7 @@ FloatArray readTip(DeviceHandle& handle, const std::optional<std::uint64_t>& tic
 
 void writeForce(DeviceHandle& handle, const ArrayLike& force_n) {
   const Vec3 force = asPoint(force_n, "force");
-  if (!force.allFinite()) throw py::value_error("force: three finite numbers are wanted");
+  if (!force.allFinite()) throw py::value_error("force: expected three finite numbers");
   const Busy::Guard guard(handle.busy, handle.device.name.c_str());
   device::Device& device = openDevice(handle);
   if (device.write_force) device.write_force(force);

@@ -46,7 +46,7 @@ class FingersHandle {
     if (tips.ndim() != 2 || static_cast<std::size_t>(tips.shape(0)) != size()) {
       throw py::value_error(fmt::format("tips: must be ({}, 3)", size()));
     }
-    if (substeps == 0) throw py::value_error("substeps: at least 1");
+    if (substeps == 0) throw py::value_error("substeps: must be at least 1");
     const FeltArrays arrays(*world_->world, {tips.shape(0)}, fields, out);
     const double* to = tips.data();
     unlocked([&](Interrupts& interrupts) { stepAll(to, substeps, arrays.rows(), interrupts); });
@@ -102,7 +102,7 @@ class FingersHandle {
 
  private:
   void requireOpen() const {
-    if (closed_) throw py::value_error("Fingers are closed");
+    if (closed_) throw py::value_error("the Fingers are closed");
   }
   static Vec3 nowhere() { return Vec3::Constant(std::numeric_limits<double>::quiet_NaN()); }
   void forget(std::size_t i) {
@@ -156,8 +156,8 @@ void bindFingers(py::module_& module) {
       "RuntimeError. After a fork the child may use it, threads and all. `with` closes it.");
   fingers.def(
       py::init([](const WorldPointer& world, std::size_t count, const MaybeSettings& settings, std::size_t threads) {
-        if (count == 0) throw py::value_error("n: at least 1");
-        if (threads == 0) throw py::value_error("threads: at least 1");
+        if (count == 0) throw py::value_error("n: must be at least 1");
+        if (threads == 0) throw py::value_error("threads: must be at least 1");
         return std::make_unique<FingersHandle>(world, count, settings, threads);
       }),
       "n fingers; settings: None for the scene's, a FingerSettings for all, or a sequence of n; threads: share a "
@@ -184,7 +184,8 @@ void bindFingers(py::module_& module) {
   fingers.def(
       "touches", &FingersHandle::touches,
       "A list of n Touch of the last ticks, for Skin.apply. Raises RuntimeError while another call is at work.");
-  fingers.def("close", &FingersHandle::close, "Ends its threads. Whatever is asked of it afterwards raises ValueError; closed again is closed.");
+  fingers.def("close", &FingersHandle::close,
+              "Ends its threads. Whatever is asked of it afterwards raises ValueError; closed again is closed.");
   fingers.def(
       "__enter__", [](const py::object& self) { return self; }, "Itself.");
   fingers.def(

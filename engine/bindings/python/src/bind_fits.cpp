@@ -25,15 +25,15 @@ using tissue::ProfileFit;
 
 std::vector<double> column(const ArrayLike& given, const char* what) {
   const auto floats = asFloats(given, what);
-  if (floats.ndim() != 1) throw py::value_error(fmt::format("{}: an array (N,) is wanted", what));
+  if (floats.ndim() != 1) throw py::value_error(fmt::format("{}: expected an array (N,)", what));
   for (py::ssize_t i = 0; i < floats.size(); ++i) {
-    if (!std::isfinite(floats.at(i))) throw py::value_error(fmt::format("{}[{}] is not a finite number", what, i));
+    if (!std::isfinite(floats.at(i))) throw py::value_error(fmt::format("{}[{}] must be finite", what, i));
   }
   return {floats.data(), floats.data() + floats.size()};
 }
 
 void requireRows(std::size_t wanted, std::size_t given, const char* what) {
-  if (wanted != given) throw py::value_error(fmt::format("{}: {} rows instead of {}", what, given, wanted));
+  if (wanted != given) throw py::value_error(fmt::format("{}: {} rows; expected {}", what, given, wanted));
 }
 
 using NumbersByName = std::map<std::string, FittedNumber>;
@@ -87,7 +87,8 @@ void bindForceFit(py::module_& module) {
       .def_readonly("unseen_rms", &ForceFit::unseen_rms, "The same of rows left out of the fit, a fifth at a time.")
       .def_readonly("rows", &ForceFit::rows, "How many were fitted.")
       .def_readonly("deepest_mm", &ForceFit::deepest_mm, "From the contact; beyond it the law is a guess.")
-      .def("force", evaluateForces, py::arg("depth_mm"), "N at depths as the curve counts them; an array of their shape.")
+      .def("force", evaluateForces, py::arg("depth_mm"),
+           "N at depths as the curve counts them; an array of their shape.")
       .def("__repr__", [](const ForceFit& f) {
         return fmt::format("ForceFit({}, {:.4g} N/mm, unseen {:.1f} %)", nameOf(f.form), f.secant.value,
                            100.0 * f.unseen_rms);
@@ -108,12 +109,12 @@ ForceFit fitShared(const std::vector<std::pair<ArrayLike, ArrayLike>>& curves, c
     all.push_back({fmt::format("curve {}", all.size()), column(depth_mm, "depth_mm"), column(force_n, "force_n")});
     requireRows(all.back().depth_mm.size(), all.back().force_n.size(), "force_n");
   }
-  if (all.empty()) throw py::value_error("curves: none given");
+  if (all.empty()) throw py::value_error("curves: at least one is required");
   for (const tissue::ForceForm one : tissue::kForceForms) {
     if (nameOf(one) != form) continue;
     return unlocked([&](Interrupts&) { return tissue::fitSharedForce(all, one, {.free_offset = free_offset}); });
   }
-  throw py::value_error("form: linear, power, stiffening, cubic or measured, not " + form);
+  throw py::value_error("form: must be linear, power, stiffening, cubic or measured, not " + form);
 }
 
 // --- shape ----------------------------------------------------------------------------------------------------------
@@ -141,7 +142,8 @@ void bindProfileFit(py::module_& module) {
           "down", [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::downShare); },
           py::arg("r_mm"), "Share of surface_mm at distances from the axis at rest, mm; an array of their shape.")
       .def(
-          "outward", [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::outwardShare); },
+          "outward",
+          [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::outwardShare); },
           py::arg("r_mm"), "The same of the motion away from the axis; 0 where it was not measured.")
       .def("__repr__", [](const ProfileFit& f) {
         return fmt::format("ProfileFit({}, {:.3g} mm deep, unseen {:.2f} %)", nameOf(f.form), f.depth_mm,
@@ -191,7 +193,7 @@ Solved leastSquares(const py::function& residuals, const ArrayLike& start, const
   for (std::size_t i = 0; i < lows.size(); ++i) {
     const double at = begin[static_cast<Eigen::Index>(i)];
     if (!(lows[i] < highs[i]) || at < lows[i] || at > highs[i]) {
-      throw py::value_error(fmt::format("start[{}] = {:g} must lie within {:g} to {:g}", i, at, lows[i], highs[i]));
+      throw py::value_error(fmt::format("start[{}] = {:g} is out of range: {:g} to {:g}", i, at, lows[i], highs[i]));
     }
     bounds.push_back({lows[i], highs[i]});
   }
@@ -199,7 +201,7 @@ Solved leastSquares(const py::function& residuals, const ArrayLike& start, const
   const auto missed = [&](const Eigen::VectorXd& numbers) {
     const py::object answer = residuals(toFloatArray(numbers));
     const Eigen::VectorXd rest = toEigen(column(py::reinterpret_borrow<ArrayLike>(answer), "residuals"));
-    if (rows >= 0 && rest.size() != rows) throw py::value_error("residuals: their number must stay the same");
+    if (rows >= 0 && rest.size() != rows) throw py::value_error("residuals: their number must not change");
     rows = rest.size();
     return rest;
   };
@@ -220,7 +222,7 @@ void bindFits(py::module_& module) {
   module.def(
       "best_force_fit",
       [](const std::vector<ForceFit>& fits) {
-        if (fits.empty()) throw py::value_error("fits: none given");
+        if (fits.empty()) throw py::value_error("fits: at least one is required");
         return tissue::bestOf(fits);
       },
       py::arg("fits"), "The form that foretells unseen rows best; of those nearly as good the simplest.");

@@ -31,7 +31,7 @@ std::unique_ptr<HandLoop> handLoop(const WorldPointer& world, const std::optiona
                                    const std::string& notes) {
   const bool held = devices && !devices->empty();
   const std::size_t count = held ? devices->size() : fingers;
-  if (count < 1 || count > 64) throw py::value_error(fmt::format("fingers = {}: 1 to 64", count));
+  if (count < 1 || count > 64) throw py::value_error(fmt::format("fingers = {} is out of range: 1 to 64", count));
   HandLoopSettings wanted{settingsOf(*world->world, settings, count), session, notes};
   return std::make_unique<HandLoop>(world, held ? *devices : std::vector<DevicePointer>(), std::move(wanted));
 }
@@ -50,14 +50,14 @@ std::vector<contact::FingerOutput> turn(HandLoop& loop, const py::object& tips) 
   const Busy::Guard guard(loop.busy, kLoopInUse);
   requireOpen(loop);
   if (tips.is_none()) {
-    if (loop.takesTips()) throw py::value_error("tips: no device holds the fingers: say where they are");
+    if (loop.takesTips()) throw py::value_error("tips: required, because no device moves the fingers");
     return extractContacts(loop.tick());
   }
-  if (!loop.takesTips()) throw py::value_error("tips: devices hold the fingers");
+  if (!loop.takesTips()) throw py::value_error("tips: must be omitted, because devices move the fingers");
   const auto places = asFloats(tips, "tips", 3);
   const auto count = static_cast<py::ssize_t>(loop.fingers());
   if (places.size() != 3 * count || places.ndim() > 2) {
-    throw py::value_error(fmt::format("tips: an array ({}, 3) is wanted{}", count, count == 1 ? ", or (3,)" : ""));
+    throw py::value_error(fmt::format("tips: expected an array ({}, 3){}", count, count == 1 ? ", or (3,)" : ""));
   }
   std::vector<Vec3> points;
   for (py::ssize_t i = 0; i < count; ++i) points.emplace_back(Eigen::Map<const Vec3>(places.data() + 3 * i));
@@ -98,7 +98,7 @@ void bindHandLoop(py::module_& module) {
           [](HandLoop& loop, std::size_t finger) {
             const Busy::Guard guard(loop.busy, kLoopInUse);
             requireOpen(loop);
-            if (finger >= loop.fingers()) throw py::index_error("finger: there is none of this number");
+            if (finger >= loop.fingers()) throw py::index_error("finger: number out of range");
             loop.lift(finger);
           },
           py::arg("finger") = 0, "The finger is put elsewhere: it forgets what it touched.")
@@ -210,8 +210,8 @@ servo::LoopReport driven(const Drive& drive, Interrupts& interrupts) {
 
 Facts drive(const WorldPointer& world, const std::vector<DevicePointer>& devices, double seconds,
             const py::object& settings, const Path& session, const std::string& notes) {
-  if (!(seconds > 0.0 && seconds <= 864000.0)) throw py::value_error("seconds: above 0, 864,000 at most");
-  if (devices.empty()) throw py::value_error("devices: at least one");
+  if (!(seconds > 0.0 && seconds <= 864000.0)) throw py::value_error("seconds: must be above 0, at most 864,000");
+  if (devices.empty()) throw py::value_error("devices: at least one is required");
   const LentDevices lent(devices);
   Drive wanted{world, lent.devices(), settingsOf(*world->world, settings, devices.size()), seconds, session, notes};
   const double tick_s = 1.0 / world->world->scene.ticks_per_s;

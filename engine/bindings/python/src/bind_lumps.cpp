@@ -52,7 +52,7 @@ void putPlace(const PlaceLike& at, LumpSettings& lump) {
   }
   const auto place = asFloats(at, "at");
   if (place.ndim() != 1 || (place.shape(0) != 2 && place.shape(0) != 3)) {
-    throw py::value_error("at: a place by name, or x and y (z is not looked at)");
+    throw py::value_error("at: expected a place by name, or x and y (z is ignored)");
   }
   lump.x_mm = place.at(0);
   lump.y_mm = place.at(1);
@@ -63,14 +63,15 @@ void putHardness(const std::optional<double>& ratio, const std::optional<double>
   if (ratio && young_kpa) throw Error("Lump: takes stiffness_ratio or young_kpa, not both");
   if (ratio) lump.stiffness_ratio = *ratio;
   if (!young_kpa) return;
-  if (!(*young_kpa > 0.0)) throw Error(fmt::format("Lump: young_kpa = {} is out of range: above 0", *young_kpa));
+  if (!(*young_kpa > 0.0))
+    throw Error(fmt::format("Lump: young_kpa = {} is out of range: must be above 0", *young_kpa));
   lump.young_kpa = *young_kpa;
 }
 
 LumpSettings makeLump(const PlaceLike& at, double depth_mm, const std::optional<double>& diameter_mm,
-                    const MaybeTriple& half_axes_mm, const std::optional<double>& ratio,
-                    const std::optional<double>& young_kpa, double edge, double mobility_mm_per_n,
-                    double mobility_limit_mm, double raise_mm, const std::string& name) {
+                      const MaybeTriple& half_axes_mm, const std::optional<double>& ratio,
+                      const std::optional<double>& young_kpa, double edge, double mobility_mm_per_n,
+                      double mobility_limit_mm, double raise_mm, const std::string& name) {
   LumpSettings lump;
   lump.name = name;
   putPlace(at, lump);
@@ -158,9 +159,9 @@ void bindLump(py::module_& module) {
 std::vector<LumpSettings> settingsOfLumps(const MaybeLumps& given) {
   std::vector<LumpSettings> lumps;
   if (given.is_none()) return lumps;
-  if (!py::isinstance<py::sequence>(given)) throw py::type_error("lumps: a sequence of palpate.Lump");
+  if (!py::isinstance<py::sequence>(given)) throw py::type_error("lumps: expected a sequence of palpate.Lump");
   for (const py::handle lump : given) {
-    if (!py::isinstance<LumpSettings>(lump)) throw py::type_error("lumps: a sequence of palpate.Lump");
+    if (!py::isinstance<LumpSettings>(lump)) throw py::type_error("lumps: expected a sequence of palpate.Lump");
     lumps.push_back(lump.cast<LumpSettings>());
   }
   return lumps;
@@ -173,7 +174,7 @@ WorldPointer newWorld(const MaybeLumps& lumps, const std::string& body, std::siz
   } else if (body == "trunk") {
     scene.body.kind = scene::BodyKind::trunk;
   } else {
-    throw py::value_error("body: 'trunk' or 'torso'; World.from_file and from_arrays make others");
+    throw py::value_error("body: must be 'trunk' or 'torso'; use World.from_file or from_arrays for others");
   }
   scene.body.triangles = triangles;
   scene = scene::parse(scene::sceneAsToml(scene), "World");  // a pickle is such a text, with its limits

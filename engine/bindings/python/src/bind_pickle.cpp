@@ -52,7 +52,7 @@ py::object packed(const std::shared_ptr<const SourceMaps>& maps) {
 template <class Element>
 std::vector<Element> unpackElements(const py::handle& bytes) {
   const auto text = bytes.cast<std::string>();
-  if (text.size() % sizeof(Element) != 0) throw Error("World: not what a World was pickled as");
+  if (text.size() % sizeof(Element) != 0) throw Error("World: not a valid pickle of a World");
   std::vector<Element> elements(text.size() / sizeof(Element));
   std::copy(text.begin(), text.end(), reinterpret_cast<char*>(elements.data()));
   return elements;
@@ -68,7 +68,7 @@ GivenMesh unpacked(const py::tuple& state) {
   given.file_notes = state[5].cast<std::vector<std::string>>();
   for (const Triangle& triangle : given.mesh.triangles) {
     for (const Index vertex : triangle) {
-      if (vertex >= given.mesh.positions.size()) throw Error("World: not what a World was pickled as");
+      if (vertex >= given.mesh.positions.size()) throw Error("World: not a valid pickle of a World");
     }
   }
   return given;
@@ -104,9 +104,9 @@ WorldPointer worldOfPickle(const std::string& toml, const py::object& mesh, cons
   }
   WorldPointer world = rebuildWorld(toml, mesh);
   if (const std::string now = fmt::format("{:016x}", engine::hashOf(*world->world)); now != hash) {
-    throw Error(fmt::format("World: {} differs from the one that was pickled (hash {}, expected {}): a file or the "
-                            "release has changed",
-                            world->world->body->name, now, hash));
+    throw Error(
+        fmt::format("World: {} differs from the pickled one (hash {}, expected {}); use the same files and release",
+                    world->world->body->name, now, hash));
   }
   kept.push_front({key, world});
   if (kept.size() > kKeptWorlds) kept.pop_back();
@@ -141,13 +141,17 @@ void bindPickle(py::module_& module) {
   auto settings = py::reinterpret_borrow<py::class_<contact::FingerSettings>>(module.attr("FingerSettings"));
   settings.def(
       "__reduce__",
-      [](const py::object& self) { return makeReduceTuple(py::type::of(self), numbersOf(self.cast<const contact::FingerSettings&>())); },
+      [](const py::object& self) {
+        return makeReduceTuple(py::type::of(self), numbersOf(self.cast<const contact::FingerSettings&>()));
+      },
       "As the constructor would be called.");
   bindCopies(settings);
   auto lump = py::reinterpret_borrow<py::class_<scene::LumpSettings>>(module.attr("Lump"));
   lump.def(
       "__reduce__",
-      [](const py::object& self) { return makeReduceTuple(py::type::of(self), numbersOf(self.cast<const scene::LumpSettings&>())); },
+      [](const py::object& self) {
+        return makeReduceTuple(py::type::of(self), numbersOf(self.cast<const scene::LumpSettings&>()));
+      },
       "As the constructor would be called.");
   bindCopies(lump);
 }

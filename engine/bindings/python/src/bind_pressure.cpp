@@ -37,7 +37,7 @@ struct FeltTable {
 
 /// One array of a dict, of the leading shape and, unless 1, an axis of `axes` more.
 FeltColumn readFeltColumn(const py::dict& felt, const char* name, py::ssize_t axes,
-                        const std::vector<py::ssize_t>& leading) {
+                          const std::vector<py::ssize_t>& leading) {
   if (!felt.contains(name)) {
     throw py::value_error(
         fmt::format("felt: has no '{}'; ask for fields=(\"force\", \"depth\", \"normal\", \"state\", \"tip\", "
@@ -47,7 +47,7 @@ FeltColumn readFeltColumn(const py::dict& felt, const char* name, py::ssize_t ax
   FeltColumn column = asFloats(felt[name], name, axes == 1 ? 0 : axes);
   std::vector<py::ssize_t> shape(column.shape(), column.shape() + column.ndim());
   if (axes != 1) shape.pop_back();
-  if (shape != leading) throw py::value_error(fmt::format("felt: '{}' is of another shape than 'depth'", name));
+  if (shape != leading) throw py::value_error(fmt::format("felt: '{}' must have the shape of 'depth'", name));
   return column;
 }
 
@@ -60,10 +60,12 @@ Vec3 vectorAt(const double* numbers) { return {numbers[0], numbers[1], numbers[2
 
 FeltTable readFeltTable(const py::dict& felt, bool lumps) {
   FeltTable table;
-  if (!felt.contains("depth")) throw py::value_error("felt: a dict of arrays as World.rollout answers it");
+  if (!felt.contains("depth")) throw py::value_error("felt: expected a dict of arrays as returned by World.rollout");
   const FeltColumn depth = asFloats(felt["depth"], "depth");
   table.leading.assign(depth.shape(), depth.shape() + depth.ndim());
-  const auto column = [&](const char* name, py::ssize_t axes) { return readFeltColumn(felt, name, axes, table.leading); };
+  const auto column = [&](const char* name, py::ssize_t axes) {
+    return readFeltColumn(felt, name, axes, table.leading);
+  };
   const FeltColumn force = column("force", 3), normal = column("normal", 3), state = column("state", 1),
                    tissue = column("tissue", 1), radius = column("radius", 1);
   table.rows.resize(static_cast<std::size_t>(depth.size()));
@@ -101,7 +103,7 @@ std::vector<std::uint64_t> readFeltTicks(const MaybeTicks& given, const FeltTabl
   std::vector<std::uint64_t> ticks(table.rows.size(), 0);
   if (!world.breath) return ticks;
   if (given.is_none()) {
-    if (table.leading.size() < 2) throw py::value_error("tick: this body breathes: say when it was felt");
+    if (table.leading.size() < 2) throw py::value_error("tick: required, because this body breathes");
     const auto last = static_cast<std::size_t>(table.leading.back());
     for (std::size_t i = 0; i < ticks.size(); ++i) ticks[i] = i % last;
     return ticks;

@@ -20,9 +20,9 @@
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
 #include "palpate/engine/recording_replay.h"
-#include "palpate/trace/sample_block.h"
 #include "palpate/trace/recording_reader.h"
 #include "palpate/trace/recording_repair.h"
+#include "palpate/trace/sample_block.h"
 #include "world_handle.h"
 
 namespace palpate::python {
@@ -109,7 +109,7 @@ std::vector<Field> fieldsNamed(const std::optional<std::vector<std::string>>& na
   std::vector<Field> fields;
   if (names) {
     for (const std::string& name : *names) fields.push_back(fieldNamed(name));
-    if (fields.empty()) throw py::value_error("fields: none named; None means all columns");
+    if (fields.empty()) throw py::value_error("fields: must not be empty; None means all columns");
   } else {
     for (const SampleColumn& column : trace::sampleColumns()) fields.push_back({std::string(column.name), {&column}});
   }
@@ -129,7 +129,7 @@ std::uint32_t findFinger(RecordingFile& session, const py::object& finger) {
   }
   const auto number = finger.cast<std::int64_t>();
   if (number < 0 || number >= static_cast<std::int64_t>(fingers.size())) {
-    throw py::index_error(fmt::format("finger {}: the session has {}", number, fingers.size()));
+    throw py::index_error(fmt::format("finger {}: the session has only {}", number, fingers.size()));
   }
   return static_cast<std::uint32_t>(number);
 }
@@ -138,7 +138,7 @@ using SpanLike = std::optional<std::pair<std::uint64_t, std::uint64_t>>;
 
 TickSpan asTickSpan(const SpanLike& given) {
   if (!given) return {};
-  if (given->first > given->second) throw py::value_error("span: the first tick comes before the last");
+  if (given->first > given->second) throw py::value_error("span: the first tick must not be after the last");
   return {given->first, given->second};
 }
 
@@ -223,8 +223,9 @@ struct Blocks {
 };
 
 Blocks makeBlocks(const std::shared_ptr<RecordingFile>& session, std::int64_t ticks,
-                const std::optional<std::vector<std::string>>& fields, const py::object& finger, const SpanLike& span) {
-  if (ticks < 1) throw py::value_error("ticks: at least 1");
+                  const std::optional<std::vector<std::string>>& fields, const py::object& finger,
+                  const SpanLike& span) {
+  if (ticks < 1) throw py::value_error("ticks: must be at least 1");
   Wanted wanted{fieldsNamed(fields), findFinger(*session, finger), asTickSpan(span)};
   const trace::RecordingFacts& facts = session->facts();
   wanted.span.from = std::max(wanted.span.from, facts.first_tick);
@@ -343,9 +344,10 @@ void closeSession(RecordingFile& session) {
   session.close();
 }
 
-trace::RecordingRepair repaired(const std::filesystem::path& file, const std::filesystem::path& target, bool overwrite) {
+trace::RecordingRepair repaired(const std::filesystem::path& file, const std::filesystem::path& target,
+                                bool overwrite) {
   if (!overwrite && std::filesystem::exists(target)) {
-    throw Error::inFile(target.string(), "is there already; overwrite=True replaces it");
+    throw Error::inFile(target.string(), "already exists; replace it with overwrite=True");
   }
   return unlocked([&](Interrupts& interrupts) { return trace::repairRecording(file, target, interrupts.progress()); });
 }
@@ -464,7 +466,8 @@ void bindSessions(py::module_& module) {
           },
           py::arg("fields") = py::none(), py::arg("finger") = 0, py::arg("span") = py::none(),
           "Ticks of one finger (its number or name) as a dict of fresh arrays (N,) by column, or (N, 3) for tip,\n"
-          "proxy, anchor, hold, normal, force, device_force, dent, lump_force. fields: None means every column. span: first and\n"
+          "proxy, anchor, hold, normal, force, device_force, dent, lump_force. fields: None means every column. span: "
+          "first and\n"
           "last tick, both included. Releases the GIL. Raises Error for a field, a finger, a damaged block.")
       .def("blocks", makeBlocks, py::arg("ticks") = 10000, py::arg("fields") = py::none(), py::arg("finger") = 0,
            py::arg("span") = py::none(),

@@ -31,7 +31,7 @@ FeltDict rollout(const WorldPointer& world, const ArrayLike& given, const MaybeS
   }
   const auto count = static_cast<std::size_t>(tips.shape(0));
   const auto ticks = static_cast<std::size_t>(tips.shape(1));
-  if (threads == 0) throw py::value_error("threads: at least 1");
+  if (threads == 0) throw py::value_error("threads: must be at least 1");
   std::vector<engine::Finger> fingers = engine::fingersOn(*world->world, settingsOf(*world->world, settings, count));
   const FeltArrays felt(*world->world, {tips.shape(0), tips.shape(1)}, fields, out);
   const double* from = tips.data();
@@ -87,7 +87,8 @@ void bindRollout(py::module_& module) {
       "    (F, T, 3), triangle (F, T) int32, -1 when free, state (F, T) uint8, 0 free, 1 stick, 2 slip, and status\n"
       "    (F, T) uint32. Also tip, hold (F, T, 3), tissue, rest, anchor_triangle, radius (F, T), and of lumps\n"
       "    lump_force (F, T, 3) N, part of force, lump_share, their normal force over that of the press without them,\n"
-      "    lump (F, T) int32, the mobile one that is nearest or -1, lump_moved (F, T, 2), how far it is from its place,\n"
+      "    lump (F, T) int32, the mobile one that is nearest or -1, lump_moved (F, T, 2), how far it is from its "
+      "place,\n"
       "    mm across and up. In a world with lumps or pads None answers all that `pressure` needs, too\n"
       "threads: fingers are shared among so many, where there is work enough for them\n"
       "out: a dict of C-ordered arrays that are written instead of fresh ones; says the fields where `fields` does "

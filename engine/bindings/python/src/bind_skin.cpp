@@ -27,7 +27,7 @@ const deform::DeformedSurface& surfaceOf(const py::object& self) {
 py::array_t<double> placesOf(const deform::DeformedSurface& surface) {
   py::array_t<double> places({static_cast<py::ssize_t>(surface.vertices()), py::ssize_t{3}});
   double* to = places.mutable_data();
-  for (Index v = 0; v < surface.vertices(); ++v) Eigen::Map<Vec3>{to + std::size_t{3} * v} = surface.placeAt(v);
+  for (Index v = 0; v < surface.vertices(); ++v) Eigen::Map<Vec3>{to + std::size_t{3}* v} = surface.placeAt(v);
   return places;
 }
 
@@ -55,7 +55,7 @@ py::dict copied(SkinHandle& self) {
     const Busy::Guard guard(self.busy(), "Skin");
     for (Index v = 0; v < surface.vertices(); ++v) {
       Eigen::Map<Vec3f>{to[0] + std::size_t{3}* v} = surface.positionAt(v);
-      if (is_far) Eigen::Map<Vec3>{to_places + std::size_t{3} * v} = surface.placeAt(v);
+      if (is_far) Eigen::Map<Vec3>{to_places + std::size_t{3}* v} = surface.placeAt(v);
       Eigen::Map<Vec3f>{to[1] + std::size_t{3}* v} = surface.normalAt(v);
       Eigen::Map<Vec3f>{to[2] + std::size_t{3}* v} = surface.displacementAt(v);
     }
@@ -72,8 +72,8 @@ py::dict copied(SkinHandle& self) {
 void apply(SkinHandle& self, const Touches& given, std::uint64_t tick) {
   const std::vector<contact::FingerOutput> touches = asTouches(given);
   if (touches.size() > self.fingers()) {
-    throw py::value_error(fmt::format("touches: {} are more than the {} that this Skin was made for (fingers=)",
-                                      touches.size(), self.fingers()));
+    throw py::value_error(fmt::format(
+        "touches: {} are more than the {} that this Skin was made for; set fingers=", touches.size(), self.fingers()));
   }
   const Busy::Guard guard(self.busy(), "Skin");
   self.report = self.skin().follow(touches, tick);
@@ -98,7 +98,7 @@ void bindSkin(py::module_& module) {
                               "They are for the thread that applies; `copy` is for others and for later.");
   skin.def(
       py::init([](const WorldPointer& world, bool strain, std::size_t fingers) {
-        if (fingers == 0) throw py::value_error("fingers: at least 1");
+        if (fingers == 0) throw py::value_error("fingers: must be at least 1");
         return std::make_unique<SkinHandle>(world, strain, fingers);
       }),
       "At rest. strain: also compute the strain; fingers: the most that are applied at once. Raises palpate.Error.",
@@ -114,12 +114,12 @@ void bindSkin(py::module_& module) {
       "copy", [](SkinHandle& self) { return FeltDict(copied(self)); },
       "A dict of fresh arrays, whole even beside `apply` in another thread: positions, normals, displacement (V, 3) "
       "and "
-      "strain (V,), float32; positions float64 of a body farther than 10 m from the origin. Raises RuntimeError while another thread reads the skin (view.render).");
-  skin.def_property_readonly(
-      "positions",
-      &positionArray,
-      "(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory). Of a body farther than 10 m "
-      "from the origin, as in map coordinates, a fresh float64 array.");
+      "strain (V,), float32; positions float64 of a body farther than 10 m from the origin. Raises RuntimeError while "
+      "another thread reads the skin (view.render).");
+  skin.def_property_readonly("positions", &positionArray,
+                             "(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory). Of "
+                             "a body farther than 10 m "
+                             "from the origin, as in map coordinates, a fresh float64 array.");
   skin.def_property_readonly(
       "normals",
       [](const py::object& self) {

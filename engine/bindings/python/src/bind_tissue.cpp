@@ -57,12 +57,12 @@ ForceLaw tableLaw(const ArrayLike& depth_mm, const ArrayLike& force_n, double re
   const auto depths = asFloats(depth_mm, "depth_mm");
   const auto forces = asFloats(force_n, "force_n");
   if (depths.ndim() != 1 || forces.ndim() != 1 || depths.size() != forces.size()) {
-    throw py::value_error("depth_mm, force_n: two arrays (R,) of one length are wanted");
+    throw py::value_error("depth_mm, force_n: expected two arrays (R,) of the same length");
   }
   ForceLaw law{.kind = ForceLaw::Kind::table, .reference_depth_mm = reference_depth_mm};
   const py::ssize_t first = depths.size() > 0 && depths.at(0) == 0.0 && forces.at(0) == 0.0 ? 1 : 0;
   if (depths.size() - first > static_cast<py::ssize_t>(tissue::ForceTable::kMaxRows)) {
-    throw py::value_error("depth_mm: at most 64 rows; palpate.fit.force averages more");
+    throw py::value_error("depth_mm: expected at most 64 rows; palpate.fit.force averages more");
   }
   for (py::ssize_t row = first; row < depths.size(); ++row) {
     law.table.depth_mm[law.table.rows] = depths.at(row);
@@ -144,7 +144,7 @@ struct Layers {
 
 FloatArray pressedSkin(const Layers& layers, double thickness_mm, double depth_mm, const ArrayLike& r_mm) {
   const auto radii = asFloats(r_mm, "r_mm");
-  if (radii.ndim() != 1) throw py::value_error("r_mm: an array (N,) is wanted");
+  if (radii.ndim() != 1) throw py::value_error("r_mm: expected an array (N,)");
   const tissue::PressCurves press = layers.tissue.pressAt(thickness_mm, depth_mm);
   py::array_t<double> moved({radii.shape(0), py::ssize_t{2}});
   auto out = moved.mutable_unchecked<2>();

@@ -51,16 +51,16 @@ GivenMesh stiffnessIn(const ArrayLike& given, const std::string& toml, const std
   GivenMesh result;
   result.scene = scene::parse(toml, name);
   const auto numbers = asFloats(given, "stiffness");
-  if (numbers.ndim() > 1) throw py::value_error("stiffness: one number, or one a vertex (V,)");
+  if (numbers.ndim() > 1) throw py::value_error("stiffness: expected one number, or one per vertex (V,)");
   if (numbers.ndim() == 1) {
     result.stiffness.assign(numbers.data(), numbers.data() + numbers.size());
-    if (result.stiffness.empty()) throw py::value_error("stiffness: one number, or one a vertex (V,)");
+    if (result.stiffness.empty()) throw py::value_error("stiffness: expected one number, or one per vertex (V,)");
     return result;
   }
   result.scene.stiffness.source = scene::StiffnessSource::constant;
   result.scene.stiffness.constant_n_per_mm = *numbers.data();
   if (!std::isfinite(*numbers.data()) || *numbers.data() < 0.0) {
-    throw py::value_error("stiffness: a finite number >= 0 is wanted, N/mm");
+    throw py::value_error("stiffness: expected finite numbers >= 0 (N/mm)");
   }
   return result;
 }
@@ -80,7 +80,7 @@ py::array_t<std::int64_t, py::array::c_style> asFaces(const ArrayLike& given) {
   const py::array any = py::array::ensure(given);
   if (!any || (any.dtype().kind() != 'i' && any.dtype().kind() != 'u')) {
     PyErr_Clear();
-    throw py::type_error("faces: whole numbers are wanted");
+    throw py::type_error("faces: expected integers");
   }
   auto faces = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>::ensure(any);
   if (!faces) throw py::error_already_set();
@@ -103,7 +103,7 @@ WorldPointer fromArrays(const ArrayLike& vertices, const ArrayLike& faces, const
 
 WorldPointer fromFile(const std::filesystem::path& file, double scale, const ArrayLike& stiffness, bool repair,
                       const std::string& scene) {
-  if (!std::isfinite(scale) || scale <= 0.0) throw py::value_error("scale: a finite number > 0 is wanted");
+  if (!std::isfinite(scale) || scale <= 0.0) throw py::value_error("scale: expected a finite number > 0");
   GivenMesh given = stiffnessIn(stiffness, scene, "scene");
   given.repair = repair;
   mesh::MeshWithChannels loaded = unlocked([&](Interrupts& interrupts) {
@@ -180,16 +180,20 @@ const scene::World& worldFrom(const py::object& self) { return *self.cast<const 
 
 Int32Array indexMapView(const py::object& self, std::vector<Index> SourceMaps::*map) {
   const auto& maps = self.cast<const WorldHandle&>().maps;
-  if (!maps) throw Error("this World has no index maps: only those of from_arrays and from_file have them");
+  if (!maps) throw Error("this World has no index maps; only worlds from from_arrays and from_file have them");
   return arrayView((*maps).*map, self);
 }
 
 void bindWorldSkin(py::class_<WorldHandle, WorldPointer>& world) {
   world.def_property_readonly(
-      "positions", [](const py::object& self) { return FloatArray(arrayView(worldFrom(self).body->skin.positions, self)); },
+      "positions",
+      [](const py::object& self) { return FloatArray(arrayView(worldFrom(self).body->skin.positions, self)); },
       "(V, 3) vertices of the skin at rest, mm; a read-only view, as all arrays of a World are.");
   world.def_property_readonly(
-      "normals", [](const py::object& self) { return FloatArray(arrayView(worldFrom(self).surface.geometry->vertex_normals, self)); },
+      "normals",
+      [](const py::object& self) {
+        return FloatArray(arrayView(worldFrom(self).surface.geometry->vertex_normals, self));
+      },
       "(V, 3) unit, out of the body, weighted by angle.");
   world.def_property_readonly(
       "triangles",
@@ -333,8 +337,8 @@ void bindPlaces(py::class_<WorldHandle, WorldPointer>& world) {
 }
 
 std::string worldRepr(const WorldHandle& self) {
-  return fmt::format("<World: {}, {} vertices, {} triangles>", self.world->body->name, self.world->body->skin.positions.size(),
-                     self.world->body->skin.triangles.size());
+  return fmt::format("<World: {}, {} vertices, {} triangles>", self.world->body->name,
+                     self.world->body->skin.positions.size(), self.world->body->skin.triangles.size());
 }
 
 }  // namespace

@@ -50,16 +50,18 @@ const FieldForm& findFieldForm(const std::string& name) {
   if (found != kForms.end()) return *found;
   std::string known;
   for (const FieldForm& form : kForms) known += fmt::format("{}{}", known.empty() ? "" : ", ", form.name);
-  throw py::value_error(fmt::format("fields: '{}' is none; known: {}", name, known));
+  throw py::value_error(fmt::format("fields: '{}' is unknown; expected any of {}", name, known));
 }
 
 /// The requested names; by default those of `out`, and the usual ones without that.
 std::vector<std::string> requestedNames(const scene::World& world, const py::object& fields, const py::object& out) {
   std::vector<std::string> names;
   if (!fields.is_none()) {
-    if (py::isinstance<py::str>(fields)) throw py::type_error("fields: a sequence of names, such as (\"force\",)");
+    if (py::isinstance<py::str>(fields))
+      throw py::type_error("fields: expected a sequence of names, e.g. (\"force\",)");
     for (const py::handle name : fields) {
-      if (!py::isinstance<py::str>(name)) throw py::type_error("fields: a sequence of names, such as (\"force\",)");
+      if (!py::isinstance<py::str>(name))
+        throw py::type_error("fields: expected a sequence of names, e.g. (\"force\",)");
       names.push_back(name.cast<std::string>());
     }
   } else if (!out.is_none()) {
@@ -91,11 +93,11 @@ py::array_t<Number> wholeArray(const py::object& given, const std::string& name,
 
 FeltArrays::FeltArrays(const scene::World& world, std::vector<py::ssize_t> leading, const py::object& fields,
                        const py::object& out) {
-  if (!out.is_none() && !py::isinstance<py::dict>(out)) throw py::type_error("out: a dict of arrays");
+  if (!out.is_none() && !py::isinstance<py::dict>(out)) throw py::type_error("out: expected a dict of arrays");
   for (const std::string& name : requestedNames(world, fields, out)) {
     py::object given = py::none();
     if (!out.is_none()) {
-      if (!out.contains(name)) throw py::value_error(fmt::format("out: has no array '{}'", name));
+      if (!out.contains(name)) throw py::value_error(fmt::format("out: array '{}' is missing", name));
       given = out[name.c_str()];
     }
     add(name, given, leading);

@@ -81,7 +81,7 @@ void HandLoop::record() {
 void HandLoop::lift(std::size_t finger) { servo::forgetTouch(rig_.fingers[finger]); }
 
 void HandLoop::mark(const std::string& text) {
-  if (!writer_) throw py::value_error("mark: this loop records no session");
+  if (!writer_) throw py::value_error("mark: this loop does not record a session");
   writer_->add(trace::RecordingEvent{tick_ == 0 ? 0 : tick_ - 1, std::nullopt, "mark", text});
 }
 

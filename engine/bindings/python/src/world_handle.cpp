@@ -11,9 +11,9 @@ namespace palpate::python {
 SkinPlace placeOn(const scene::World& world, py::handle place) {
   if (py::isinstance<py::str>(place)) return engine::skinPlace(world, place.cast<std::string>());
   const Vec3 point = asPoint(place, "place");
-  if (!mesh::isUsable(point)) throw py::value_error("place: three finite numbers are wanted");
+  if (!mesh::isUsable(point)) throw py::value_error("place: expected three finite numbers");
   const SkinPlace nearest = engine::nearestOnSkin(world, point);
-  if (nearest.triangle == kNoIndex) throw py::value_error("place: absurdly far from the body");
+  if (nearest.triangle == kNoIndex) throw py::value_error("place: too far from the body");
   return nearest;
 }
 
@@ -26,10 +26,11 @@ std::vector<contact::FingerSettings> settingsOf(const scene::World& world, py::h
   } else if (py::isinstance<py::sequence>(settings) && !py::isinstance<py::str>(settings)) {
     for (const py::handle one : settings) all.push_back(one.cast<contact::FingerSettings>());
     if (all.size() != fingers) {
-      throw py::value_error(fmt::format("settings: {} given for {} fingers", all.size(), fingers));
+      throw py::value_error(
+          fmt::format("settings: {} given for {} fingers; expected one per finger", all.size(), fingers));
     }
   } else {
-    throw py::type_error("settings: a FingerSettings, a sequence of them, or None");
+    throw py::type_error("settings: expected a FingerSettings, a sequence of them, or None");
   }
   engine::checkFingers(world, all);
   return all;
@@ -43,10 +44,10 @@ std::vector<contact::FingerOutput> asTouches(py::handle touches) {
       all.push_back(touch.cast<const contact::FingerOutput&>());
     }
   } catch (const py::cast_error&) {
-    throw py::type_error("touches: a Touch or a sequence of them");
+    throw py::type_error("touches: expected a Touch or a sequence of them");
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_TypeError)) throw;
-    throw py::type_error("touches: a Touch or a sequence of them");
+    throw py::type_error("touches: expected a Touch or a sequence of them");
   }
   return all;
 }

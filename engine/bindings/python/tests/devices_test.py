@@ -131,7 +131,7 @@ def test_what_makes_no_sense_is_refused(torso):
     with pytest.raises(ValueError, match="seconds"):
         devices.drive(torso, [devices.script([[0, 0, 900]])], -1)
     with devices.Loop(torso, fingers=2) as loop:
-        with pytest.raises(ValueError, match="where they are"):
+        with pytest.raises(ValueError, match="no device moves the fingers"):
             loop.tick()
         with pytest.raises(ValueError, match=r"\(2, 3\)"):
             loop.tick([0.0, 0.0, 900.0])

@@ -126,7 +126,7 @@ def test_nonsense_is_refused(hidden):
     for wrong in ({"substeps": 0}, {"max_steps": 0}, {"reach_mm": 0}):
         with pytest.raises(ValueError):
             make(hidden, 2, **wrong)
-    with pytest.raises(ValueError, match="no vertex"):
+    with pytest.raises(ValueError, match="no vertices"):
         palpate.env.VectorEnv(hidden, 2, around=[1.0, 1.0, 20.0], reach_mm=0.01)
     with pytest.raises(palpate.Error):
         palpate.env.VectorEnv(hidden, 2, around="T6")

@@ -137,7 +137,7 @@ def test_step_takes_arrays_lists_tuples_and_numbers(dome_world):
     assert landed(dome_world).step(3, 4, 17).depth_mm == landed(dome_world).step([3, 4, 17]).depth_mm > 0
     finger = palpate.Finger(dome_world)
     for wrong in [((1.0, 2.0),), ([1.0, 2.0, 3.0, 4.0],), (np.zeros((1, 3)),), (np.zeros(2),)]:
-        with pytest.raises(ValueError, match="tip: three numbers"):
+        with pytest.raises(ValueError, match="tip: expected three numbers"):
             finger.step(*wrong)
     for wrong in [(), (1.0, 2.0), ("abc",), (None,), (["a", "b", "c"],), (1.0, 2.0, "z")]:
         with pytest.raises((TypeError, ValueError)):
@@ -269,7 +269,7 @@ def test_fields_and_out(dome_world):
             dome_world.rollout(tips, out={"force": wrong}) if wrong is not None else dome_world.rollout(
                 tips, out={}, fields=["force"])
     assert dome_world.rollout(tips, fields=["lump_moved"])["lump_moved"].shape == (4, 30, 2)
-    with pytest.raises(ValueError, match="'forces' is none; known: force, depth"):
+    with pytest.raises(ValueError, match="'forces' is unknown; expected any of force, depth"):
         dome_world.rollout(tips, fields=["forces"])
     with pytest.raises(TypeError, match="fields"):
         dome_world.rollout(tips, fields="force")

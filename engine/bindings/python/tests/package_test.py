@@ -39,7 +39,7 @@ def test_a_sub_interpreter_is_told_that_it_cannot_have_it():
             "interpreters.run_string(interpreters.create(), words)\n"
             "print(palpate.World.torso().name)\n")
     told = run("-c", text, check=True, timeout=60).stdout.splitlines()
-    assert told[:3] == ["palpate works in the main interpreter of a process alone, not in a sub-interpreter"] * 3
+    assert told[:3] == ["palpate works only in the main interpreter of a process, not in a sub-interpreter"] * 3
     assert len(told) == 4, "and who had it goes on"
 
 

@@ -168,7 +168,7 @@ def test_python_presses_and_lifts_and_flies(widget):
     assert page.does({"result": None}, lambda: widget.go("T6"))["place"] == "T6"
     with pytest.raises(RuntimeError, match="no place T99"):
         page.does({"error": "this body has no place T99"}, lambda: widget.go("T99"))
-    with pytest.raises(ValueError, match="within 0.5 and 20"):
+    with pytest.raises(ValueError, match="0.5 to 20"):
         widget.press("T6", 30)
     with pytest.raises(ValueError, match="'left' or 'right'"):
         widget.lift("middle")
@@ -199,7 +199,7 @@ def test_a_mesh_is_handed_over_as_a_file_that_the_engine_reads(widget, tmp_path)
 
 
 def test_a_page_that_is_not_shown_is_said(widget):
-    with pytest.raises(TimeoutError, match="shown in a cell"):
+    with pytest.raises(TimeoutError, match="show it in a cell"):
         widget.go("T6", timeout=0.05)
     page = Page(widget)
     assert page.exchange() == (200, []), "what nobody waits for any more is not asked"

@@ -54,15 +54,15 @@ def test_the_first_wrong_face_is_named(wrong):
 
 def test_what_is_no_mesh_is_refused():
     vertices, faces = dome(8)
-    with pytest.raises(TypeError, match="faces: whole numbers"):
+    with pytest.raises(TypeError, match="faces: expected integers"):
         palpate.World.from_arrays(vertices, faces.astype(float))
     with pytest.raises(ValueError, match=r"faces: must be \(F, 3\)"):
         palpate.World.from_arrays(vertices, faces.ravel())
     with pytest.raises(ValueError, match="vertices"):
         palpate.World.from_arrays(vertices[:, :2], faces)
-    with pytest.raises(TypeError, match="vertices: numbers are wanted"):
+    with pytest.raises(TypeError, match="vertices: expected numbers"):
         palpate.World.from_arrays([["a", "b", "c"]], faces)
-    with pytest.raises(TypeError, match="vertices: numbers are wanted"):
+    with pytest.raises(TypeError, match="vertices: expected numbers"):
         palpate.World.from_arrays(vertices.astype(complex), faces)
     vertices[5, 2] = np.nan
     with pytest.raises(palpate.Error, match="z of vertex 5 is not finite"):

@@ -55,7 +55,8 @@ using Drag = std::variant<double, std::string>;
 double dragDegrees(const Drag& drag) {
   if (const auto* degrees = std::get_if<double>(&drag)) return *degrees;
   const auto named = measure::dragNamed(std::get<std::string>(drag));
-  if (!named) throw py::value_error("drag: degrees, \"up\", \"left\" and so on, not " + std::get<std::string>(drag));
+  if (!named)
+    throw py::value_error("drag: must be degrees, or \"up\", \"left\" and so on, not " + std::get<std::string>(drag));
   return *named;
 }
 
@@ -63,7 +64,7 @@ Averages averaged(const std::vector<Table>& tables, const std::optional<Drag>& d
                   const std::map<std::string, std::string>& mirrors, const std::string& averaging) {
   AverageSettings settings;
   if (averaging != "tensorial" && averaging != "plain") {
-    throw py::value_error("averaging: \"tensorial\" or \"plain\", not " + averaging);
+    throw py::value_error("averaging: must be \"tensorial\" or \"plain\", not " + averaging);
   }
   if (averaging == "plain") settings.averaging = maps::Averaging::plain;
   if (drag) settings.drag_deg = dragDegrees(*drag);
@@ -75,13 +76,13 @@ std::vector<measure::StencilSheet> stencil(double spacing_mm, int columns, int r
                                            const std::string& page, bool scale_target) {
   using measure::StencilPage;
   static const std::map<std::string, StencilPage> pages = {{"auto", StencilPage::fitting},
-                                                            {"a4", StencilPage::a4},
-                                                            {"a3", StencilPage::a3},
-                                                            {"a2", StencilPage::a2},
-                                                            {"tiled-a4", StencilPage::tiled_a4}};
+                                                           {"a4", StencilPage::a4},
+                                                           {"a3", StencilPage::a3},
+                                                           {"a2", StencilPage::a2},
+                                                           {"tiled-a4", StencilPage::tiled_a4}};
   const auto found = pages.find(page);
   if (found == pages.end()) {
-    throw py::value_error("page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\", not " + page);
+    throw py::value_error("page: must be \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\", not " + page);
   }
   return measure::stencilSheets({.spacing_mm = spacing_mm,
                                  .columns = columns,
@@ -115,8 +116,8 @@ void bindMeans(py::module_& module) {
       .def_readonly("drag_deg", &DragMean::drag_deg, "That way, from the right towards the head; None: not said.")
       .def_readonly("mean", &DragMean::mean, "Their mean.")
       .def("__repr__", [](const DragMean& d) {
-        return fmt::format("DragMean({}, {} presses)", d.drag_deg ? measure::dragDirectionName(*d.drag_deg) : "not said",
-                           d.mean.presses);
+        return fmt::format("DragMean({}, {} presses)",
+                           d.drag_deg ? measure::dragDirectionName(*d.drag_deg) : "not said", d.mean.presses);
       });
 }
 
@@ -165,11 +166,12 @@ void bindStencil(py::module_& module) {
       .def_readonly("name", &measure::StencilSheet::name, "Of a tile, \"r1c2\": row and column; empty: the only one.")
       .def_readonly("svg", &measure::StencilSheet::svg, "The drawing, in mm, to be printed at 100 %.")
       .def("__repr__", [](const measure::StencilSheet& s) { return "StencilSheet('" + s.name + "')"; });
-  module.def("stencil", stencil, py::kw_only(), py::arg("spacing_mm") = 30.0, py::arg("columns") = 11,
-             py::arg("rows") = 13, py::arg("hole_mm") = 8.0, py::arg("page") = "auto", py::arg("scale_target") = false,
-             "The sheet to punch for the dots, at true size. spacing_mm: 5 to 100; columns, rows: 2 to 60; hole_mm:\n"
-             "less than half the spacing; page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\"; scale_target: with a\n"
-             "ruler of 100 mm. Raises Error for what is out of range or does not fit, ValueError.");
+  module.def(
+      "stencil", stencil, py::kw_only(), py::arg("spacing_mm") = 30.0, py::arg("columns") = 11, py::arg("rows") = 13,
+      py::arg("hole_mm") = 8.0, py::arg("page") = "auto", py::arg("scale_target") = false,
+      "The sheet to punch for the dots, at true size. spacing_mm: 5 to 100; columns, rows: 2 to 60; hole_mm:\n"
+      "less than half the spacing; page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\"; scale_target: with a\n"
+      "ruler of 100 mm. Raises Error for what is out of range or does not fit, ValueError.");
 }
 
 }  // namespace palpate::python

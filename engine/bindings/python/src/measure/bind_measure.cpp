@@ -40,10 +40,10 @@ measure::Photograph loadPhotograph(const py::object& given, const char* what) {
   if (!py::isinstance<py::array>(given)) return measure::readPhotograph(given.cast<std::filesystem::path>());
   const auto any = given.cast<py::array>();
   if (any.ndim() != 3 || any.shape(2) != 3 || any.dtype().kind() != 'u' || any.dtype().itemsize() != 1) {
-    throw py::value_error(fmt::format("{}: a file's name or an array (H, W, 3) of uint8 is wanted", what));
+    throw py::value_error(fmt::format("{}: expected a file name or an array (H, W, 3) of uint8", what));
   }
   if (any.shape(0) < 200 || any.shape(1) < 200 || any.shape(0) * any.shape(1) > measure::kMaxPixels) {
-    throw Error(fmt::format("{}: {} x {} pixels; 200 x 200 to 52 megapixels can be measured", what, any.shape(1),
+    throw Error(fmt::format("{}: {} x {} pixels; expected 200 x 200 pixels to 52 megapixels", what, any.shape(1),
                             any.shape(0)));
   }
   const auto bytes = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>::ensure(any);
@@ -56,7 +56,8 @@ measure::Photograph loadPhotograph(const py::object& given, const char* what) {
 measure::HeadTowards headNamed(const std::string& word) {
   constexpr std::array kWords = {"top", "left", "bottom", "right"};
   const auto found = std::find(kWords.begin(), kWords.end(), word);
-  if (found == kWords.end()) throw py::value_error("head: \"top\", \"left\", \"bottom\" or \"right\", not " + word);
+  if (found == kWords.end())
+    throw py::value_error("head: must be \"top\", \"left\", \"bottom\" or \"right\", not " + word);
   return static_cast<measure::HeadTowards>(found - kWords.begin());
 }
 

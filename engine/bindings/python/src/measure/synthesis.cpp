@@ -24,11 +24,11 @@ TailFamily familyNamed(const std::string& word) {
   for (const TailFamily family : kFamilies) {
     if (nameOf(family) == word) return family;
   }
-  throw py::value_error("tail: \"compact\", \"long\", \"half-space\" or \"windowed\", not " + word);
+  throw py::value_error("tail: must be \"compact\", \"long\", \"half-space\" or \"windowed\", not " + word);
 }
 
 void applyRequest(double& value, const std::optional<double>& request, const char* what, double least, double most,
-          double factor = 1.0) {
+                  double factor = 1.0) {
   if (!request) return;
   if (!(*request >= least && *request <= most)) {
     throw py::value_error(fmt::format("{} = {:g} is out of range: {:g} to {:g}", what, *request, least, most));
@@ -42,9 +42,10 @@ struct PressRequests {
   std::optional<double> half_major_mm, ratio, direction_deg, drag_deg, peak_mm;
 };
 
-measure::SyntheticCase drawRequestedCase(std::uint64_t seed, double megapixels, double drift_mm, const PressRequests& requests) {
-  if (!(megapixels >= 0.5 && megapixels <= 48.0)) throw py::value_error("megapixels: 0.5 to 48");
-  if (!(drift_mm >= 0.0 && drift_mm <= 20.0)) throw py::value_error("drift_mm: 0 to 20");
+measure::SyntheticCase drawRequestedCase(std::uint64_t seed, double megapixels, double drift_mm,
+                                         const PressRequests& requests) {
+  if (!(megapixels >= 0.5 && megapixels <= 48.0)) throw py::value_error("megapixels: must be 0.5 to 48");
+  if (!(drift_mm >= 0.0 && drift_mm <= 20.0)) throw py::value_error("drift_mm: must be 0 to 20");
   measure::CaseRequests drawn{.megapixels = megapixels, .drift_mm = drift_mm};
   if (requests.tail) drawn.family = familyNamed(*requests.tail);
   measure::SyntheticCase made = measure::drawCase(seed, drawn);

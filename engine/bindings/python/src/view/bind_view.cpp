@@ -41,7 +41,7 @@ struct PictureOptions {
 };
 
 std::string text(py::handle value, const char* key) {
-  if (!py::isinstance<py::str>(value)) throw py::type_error(fmt::format("{}: a word is wanted", key));
+  if (!py::isinstance<py::str>(value)) throw py::type_error(fmt::format("{}: expected a string", key));
   return value.cast<std::string>();
 }
 
@@ -71,7 +71,7 @@ std::vector<scene::Overlay> overlays(py::handle value, const char* key) {
 Vec2 range(py::handle value, const char* key) {
   const auto ends = asFloats(value, key);
   if (ends.ndim() != 1 || ends.size() != 2 || !(ends.at(0) < ends.at(1))) {
-    throw py::value_error(std::string(key) + ": two rising numbers are wanted");
+    throw py::value_error(std::string(key) + ": expected two increasing numbers");
   }
   return {ends.at(0), ends.at(1)};
 }
@@ -186,7 +186,7 @@ std::vector<view::FingerMark> marksFor(const scene::World& world, const std::vec
 
 /// The present skin: copied, since it may change while the picture is drawn.
 void captureSkin(const WorldPointer& world, const py::object& skin, const std::vector<contact::FingerOutput>& touches,
-              PictureJob& job) {
+                 PictureJob& job) {
   if (skin.is_none()) {
     engine::LivingSkin living(*world->world, {.strain = true, .fingers = std::max<std::size_t>(1, touches.size())});
     living.follow(touches);
@@ -194,9 +194,9 @@ void captureSkin(const WorldPointer& world, const py::object& skin, const std::v
     job.lift_mm = living.lift();
     return;
   }
-  if (!py::isinstance<SkinHandle>(skin)) throw py::type_error("skin: a palpate.Skin or None");
+  if (!py::isinstance<SkinHandle>(skin)) throw py::type_error("skin: expected a palpate.Skin or None");
   auto& given = skin.cast<SkinHandle&>();
-  if (given.world()->world != world->world) throw py::value_error("skin: it is of another world");
+  if (given.world()->world != world->world) throw py::value_error("skin: it belongs to another world");
   const Busy::Guard guard(given.busy(), "this Skin");
   job.surface = given.skin().surface();
   job.lift_mm = given.skin().lift();
@@ -228,7 +228,7 @@ using Drawn = std::tuple<PixelArray, std::vector<std::string>>;
 
 Drawn draw(const WorldPointer& world, const py::object& skin, const py::object& touches,
            const std::pair<std::int64_t, std::int64_t>& size, int supersampling, const py::dict& options) {
-  if (supersampling < 1 || supersampling > 4) throw py::value_error("supersampling: 1 to 4");
+  if (supersampling < 1 || supersampling > 4) throw py::value_error("supersampling: must be 1 to 4");
   const PictureOptions wanted = pictureOptions(*world->world, options);
   const std::vector<contact::FingerOutput> felt = asTouches(touches);
   const auto job = std::make_shared<PictureJob>();
@@ -247,7 +247,7 @@ Drawn draw(const WorldPointer& world, const py::object& skin, const py::object& 
 void savePng(const std::filesystem::path& file, const py::object& picture) {
   const py::array any = py::array::ensure(picture);
   if (!any || any.ndim() != 3 || any.shape(2) != 3 || any.dtype().kind() != 'u' || any.dtype().itemsize() != 1) {
-    throw py::value_error("picture: an array (H, W, 3) of uint8 is wanted");
+    throw py::value_error("picture: expected an array (H, W, 3) of uint8");
   }
   const auto bytes = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>::ensure(any);
   view::Image image(side(bytes.shape(1), "width"), side(bytes.shape(0), "height"));
