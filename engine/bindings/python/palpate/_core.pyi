@@ -13,7 +13,7 @@ import numpy.typing
 __version__: str
 
 class Error(ValueError):
-    """What cannot be loaded, built or used, in one line: `where: cause`.
+    """Error while loading, building or using something, in one line: `where: cause`.
 
     file (str or None): the file, as it was named; line (int or None): counted from 1;
     cause (str): the words without file and line.
@@ -24,25 +24,25 @@ class Error(ValueError):
     cause: str
 
 class World:
-    """A body that can be felt: made by load, parse, torso, trunk, from_file, from_arrays. It never changes; any number of threads may share it.
+    """A touchable body, made by load, parse, torso, trunk, from_file or from_arrays. Immutable; any number of threads may share it.
 
     mm, N, s; x to the patient's right seen from behind, y to the head, z out of the back.
     """
 
     def __init__(self, *, lumps: Optional[Sequence[Lump]] = None, body: str = 'trunk', triangles: int = 0) -> None:
-        """A built-in body with lumps under its skin. body: 'trunk' or 'torso'; triangles: of skin and bones together, 0: as many as usual. Raises palpate.Error for a lump that cannot be where it should."""
+        """A built-in body with lumps under its skin. body: 'trunk' or 'torso'; triangles: number in skin and bones, 0 for the default. Raises palpate.Error for a lump that cannot be at its place."""
     @staticmethod
     def load(file: Union[str, os.PathLike[str]]) -> World:
-        """A world from a scene file (docs/reference/scene-files.md). Raises palpate.Error with file and line. Releases the interpreter's lock, as all that build a world do; Ctrl-C interrupts."""
+        """A world from a scene file (docs/reference/scene-files.md). Raises palpate.Error with file and line. Releases the GIL, like everything that builds a world; Ctrl-C interrupts."""
     @staticmethod
     def parse(toml: str, name: str = 'scene') -> World:
-        """A world from the text of a scene file. name: stands for the file in messages, its folder for names of files in the text. Raises palpate.Error with name and line."""
+        """A world from the text of a scene file. name: shown as the file in messages; its folder is the base of relative file names in the text. Raises palpate.Error with name and line."""
     @staticmethod
     def torso(*, triangles: int = 20389) -> World:
-        """The open back of the dissertation with 43 bones. triangles: of skin and bones together. Raises palpate.Error for too few. 0.6 s."""
+        """The dissertation's open back with 43 bones. triangles: number in skin and bones. Raises palpate.Error for too few. Takes 0.6 s."""
     @staticmethod
     def trunk(*, triangles: int = 83164) -> World:
-        """The closed body from neck to thighs. triangles: of skin and bones together, even. Raises palpate.Error for too few. One to two seconds."""
+        """The closed body from neck to thighs. triangles: number in skin and bones, even. Raises palpate.Error for too few. Takes 1 to 2 s."""
     @staticmethod
     def from_file(file: Union[str, os.PathLike[str]], *, scale: float = 1.0, stiffness: numpy.typing.ArrayLike = 0.5, repair: bool = True, scene: str = '') -> World:
         """A world from a mesh file: OBJ, STL, PLY, OFF, glTF, GLB.
@@ -65,75 +65,75 @@ class World:
         Vertices and triangles change their order; source_vertex and source_triangle lead back. Raises palpate.Error naming the first wrong vertex or face, TypeError for faces that are no whole numbers, ValueError for shapes.
         """
     def rebuilt(self, toml: str, name: str = 'scene') -> World:
-        """The same body under another scene's force law, stiffness, maps, friction: the same triangles in the same order, in milliseconds. toml: text of a whole scene, of which [body] is not looked at. Raises palpate.Error with name and line."""
+        """The same body with another scene's force law, stiffness, maps and friction: the same triangles in the same order, in milliseconds. toml: text of a whole scene; its [body] is ignored. Raises palpate.Error with name and line."""
     @property
     def positions(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(V, 3) vertices of the skin at rest, mm; a read-only view, as all arrays of a World are."""
+        """(V, 3) vertices of the skin at rest, mm; a read-only view, like all arrays of a World."""
     @property
     def normals(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(V, 3) unit, out of the body, weighted by angle."""
+        """(V, 3) unit vertex normals, pointing outwards, weighted by angle."""
     @property
     def triangles(self) -> numpy.typing.NDArray[numpy.int32]:
         """(F, 3) int32: three vertices each, counter-clockwise seen from outside."""
     @property
     def stiffness(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(V,) N/mm."""
+        """(V,) stiffness per vertex, N/mm."""
     @property
     def source_vertex(self) -> numpy.typing.NDArray[numpy.int32]:
-        """(V,) int32: which given vertex each one is. Raises palpate.Error for a world that no mesh was given for."""
+        """(V,) int32: index of the given vertex for each vertex. Raises palpate.Error unless the world was made from a mesh."""
     @property
     def source_triangle(self) -> numpy.typing.NDArray[numpy.int32]:
-        """(F,) int32: which given triangle each one is; -1 for one that mending made. Raises palpate.Error likewise."""
+        """(F,) int32: index of the given triangle for each triangle; -1 for one made by repair. Raises like `source_vertex`."""
     @property
     def built_vertex(self) -> numpy.typing.NDArray[numpy.int32]:
-        """The other way round, a given vertex each; -1 for one that the world has not. Raises palpate.Error likewise."""
+        """Index of the world's vertex for each given vertex; -1 for one that the world lacks. Raises like `source_vertex`."""
     @property
     def built_triangle(self) -> numpy.typing.NDArray[numpy.int32]:
-        """A given triangle each: which of the world's it is, or -1. Raises palpate.Error likewise."""
+        """Index of the world's triangle for each given triangle, or -1. Raises like `source_vertex`."""
     @property
     def landmarks(self) -> dict[str, numpy.typing.NDArray[numpy.float64]]:
-        """Named points on the skin, (3,) mm each, by the names that bones have ("spinous_T6"); {} for a mesh."""
+        """Named points on the skin, (3,) mm, by the names of the bones ("spinous_T6"); {} for a mesh."""
     @property
     def landmark_normals(self) -> dict[str, numpy.typing.NDArray[numpy.float64]]:
-        """The skin's normals there, (3,) each, by the same names."""
+        """Normals of the skin at the landmarks, (3,), by the same names."""
     def place(self, place: Union[str, numpy.typing.ArrayLike]) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) mm: the point of the skin at rest that words name ("T6", "left PSIS", "T6 right 30 mm"; docs/reference/names.md), or the nearest to a point (3,). Raises palpate.Error with the name that is near in spelling."""
+        """(3,) mm: the point of the skin at rest for a name ("T6", "left PSIS", "T6 right 30 mm"; docs/reference/names.md), or the one nearest to a point (3,). Raises palpate.Error, which suggests the name nearest in spelling."""
     def normal_at(self, place: Union[str, numpy.typing.ArrayLike]) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) unit: the normal of the triangle there, out of the body. Raises as `place` does."""
+        """(3,) unit normal of the triangle at a place, pointing outwards. Raises like `place`."""
     def triangle_at(self, place: Union[str, numpy.typing.ArrayLike]) -> int:
-        """The triangle there, a row of `triangles`. Raises as `place` does."""
+        """Triangle at a place, as a row of `triangles`. Raises like `place`."""
     def stiffness_at(self, place: Union[str, numpy.typing.ArrayLike]) -> float:
-        """N/mm at that place, between the vertices. Raises as `place` does."""
+        """Stiffness at a place, N/mm, interpolated between the vertices. Raises like `place`."""
     def tips(self, place: Union[str, numpy.typing.ArrayLike], depth_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """(T, 3) mm: a path along the normal of a place, at these depths (T,) under the skin, mm; below 0 is over it. Raises as `place` does."""
+        """(T, 3) mm: a path along the normal of a place, at these depths (T,) below the skin, mm; negative is above it. Raises like `place`."""
     def words(self, point: numpy.typing.ArrayLike) -> str:
-        """A point (3,) as an examiner would say it: "T6, 12 mm right and 8 mm up"; "" where nothing has a name."""
+        """A point (3,) in an examiner's words: "T6, 12 mm right and 8 mm up"; "" for a body without names."""
     @property
     def place_names(self) -> list[str]:
-        """All names that `place` knows; [] for a mesh."""
+        """All names accepted by `place`; [] for a mesh."""
     def ellipses(self, xy: Union[str, Sequence[str], numpy.typing.ArrayLike]) -> numpy.typing.NDArray[numpy.float64]:
-        """(N, 3): half axes, mm, the longer first, and direction of the longer against x, rad in [0, pi), of the deformation ellipses at xy (N, 2), mm, or at places by name."""
+        """(N, 3): half axes, mm, the longer first, and direction of the longer against x, rad in [0, pi), of the deformation ellipses at xy (N, 2), mm, or at named places."""
     @property
     def notes(self) -> list[str]:
-        """What the user should know: what a file was read without, repairs, a doubtful unit."""
+        """Notes for the user: ignored parts of a file, repairs, a doubtful unit."""
     @property
     def name(self) -> str:
-        """Of the body, in words."""
+        """Name of the body."""
     @property
     def closed(self) -> bool:
-        """True where the skin has no border."""
+        """Whether the skin has no border."""
     @property
     def fingers(self) -> int:
-        """How many fingers the scene describes."""
+        """Number of fingers in the scene."""
     def __repr__(self) -> str:
-        """In a few words."""
+        """Short description."""
     def finger_settings(self, n: int = 1) -> list[FingerSettings]:
-        """List of n FingerSettings: the scene's own in their order, then points with its friction."""
+        """List of n FingerSettings: the scene's fingers in order, then point fingers with its friction."""
     def with_lumps(self, lumps: Optional[Sequence[Lump]]) -> World:
-        """The same body with these lumps and no others, in some 30 ms a lump: the same triangles in the same order. Its tissue must be layered: a built-in body, or a mesh under a scene with [tissue] layer_table. Raises palpate.Error."""
+        """The same body with only these lumps, in about 30 ms per lump: the same triangles in the same order. Requires layered tissue: a built-in body, or a mesh under a scene with [tissue] layer_table. Raises palpate.Error."""
     @property
     def lumps(self) -> list[dict[str, Any]]:
-        """What lies under the skin, a dict each: name; foot (3,) on the skin over its middle, axis (3,) out of the skin, across and up (3,), mm; half_axes_mm (3,), depth_mm of its top; young_kpa, layer_kpa of the tissue around it; tissue_mm over the bone; mobility_mm_per_n; share: what it adds to the force of a fingertip right over it, by the depth of the press, mm; note, all of this in a line."""
+        """Lumps under the skin, one dict each: name; foot (3,) on the skin above its centre, axis (3,) out of the skin, across and up (3,), mm; half_axes_mm (3,), depth_mm of its top; young_kpa, layer_kpa of the tissue around it; tissue_mm over the bone; mobility_mm_per_n; share: what it adds to the force of a fingertip right over it, by the depth of the press, mm; note, all of this in a line."""
     def rollout(self, tips: numpy.typing.ArrayLike, *, settings: Optional[Union[FingerSettings, Sequence[FingerSettings]]] = None, fields: Optional[Sequence[str]] = None, threads: int = 1, out: Optional[dict[str, numpy.typing.NDArray[Any]]] = None) -> dict[str, numpy.typing.NDArray[Any]]:
         """Whole paths: one finger a row of tips (F, T, 3), mm, each tick FingerSettings.tick_s after the last.
 
@@ -161,7 +161,7 @@ class World:
         """
 
 class FingerSettings:
-    """What a finger is: a point or a ball, and how it rubs. Checked when made; it never changes, `replace` makes another.
+    """Settings of a finger: radius, stiffness, friction, relaxation. Checked on creation; immutable, `replace` makes a changed copy.
 
     radius_mm: 0 is a point, 8 a fingertip (0 to 1,000)
     stiffness_ratio: tangential over normal stiffness (0 to 100)
@@ -177,82 +177,82 @@ class FingerSettings:
     """
 
     def __init__(self, *, radius_mm: float = 0.0, stiffness_ratio: float = 1.0, mu_static: float = 0.46, mu_dynamic: float = 0.44, max_depth_mm: float = 40.0, tick_s: float = 0.001, catch_up_mm_per_s: float = 100.0, relaxation_share: float = 0.0, relaxation_time_s: float = 1.0, relaxation_share_2: float = 0.0, relaxation_time_2_s: float = 5.0, force_shading: bool = False) -> None:
-        """All by name; what is left out has its usual value. Raises palpate.Error."""
+        """Keyword arguments only; omitted ones have their default. Raises palpate.Error."""
     @property
     def radius_mm(self) -> float:
         """Radius of the finger, mm; 0 is a point."""
     @property
     def stiffness_ratio(self) -> float:
-        """Tangential over normal stiffness."""
+        """Tangential divided by normal stiffness."""
     @property
     def mu_static(self) -> float:
-        """Friction before it slips."""
+        """Coefficient of static friction."""
     @property
     def mu_dynamic(self) -> float:
-        """Friction while it slips."""
+        """Coefficient of friction while slipping."""
     @property
     def max_depth_mm(self) -> float:
-        """The deepest depth that is felt, mm."""
+        """Maximum depth that is felt, mm."""
     @property
     def tick_s(self) -> float:
-        """Time between two ticks, s."""
+        """Length of a tick, s."""
     @property
     def catch_up_mm_per_s(self) -> float:
-        """How fast the point on the skin may run beside the tip, mm/s."""
+        """Maximum speed of the point on the skin relative to the tip, mm/s."""
     @property
     def relaxation_share(self) -> float:
-        """Of the force, what goes while the skin is held."""
+        """Fraction of the force that relaxes during a hold."""
     @property
     def relaxation_time_s(self) -> float:
-        """Over which time it goes, s."""
+        """Time constant of the relaxation, s."""
     @property
     def relaxation_share_2(self) -> float:
-        """The same of a second term."""
+        """Fraction of a second relaxation term."""
     @property
     def relaxation_time_2_s(self) -> float:
-        """Time of the second term, s."""
+        """Time constant of the second term, s."""
     @property
     def force_shading(self) -> bool:
-        """True where facets are rounded off."""
+        """Whether the force is smoothed over coarse triangles."""
     def replace(self, **kwargs: Any) -> FingerSettings:
-        """The same with some numbers changed, named as in the constructor. Raises TypeError for a name that is none, palpate.Error for a number that makes no sense."""
+        """A copy with some values changed, named as in the constructor. Raises TypeError for an unknown name, palpate.Error for a value out of range."""
     def __repr__(self) -> str:
-        """As the constructor would be called."""
+        """The call of the constructor."""
     def __eq__(self, other: object) -> bool:
-        """True where all numbers are the same."""
+        """Whether all values are equal."""
     def __hash__(self) -> int:
-        """Of all its numbers."""
+        """Hash of all values."""
 
 class Touch:
-    """What a finger felt in one tick: a snapshot that never changes. Arrays are read-only views of it."""
+    """Contact of a finger in one tick: an immutable snapshot. Arrays are read-only views of it."""
 
     @property
     def force(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) on the finger, N."""
+        """(3,) force on the finger, N."""
     @property
     def tip(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) where the finger is, mm."""
+        """(3,) position of the finger, mm."""
     @property
     def proxy(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) the point of the skin that it presses, mm; the tip when free."""
+        """(3,) point on the skin that it presses, mm; the tip when free."""
     @property
     def anchor(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) the point of the skin that friction holds, mm; the tip when free."""
+        """(3,) point on the skin held by friction, mm; the tip when free."""
     @property
     def hold(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) where friction holds the tip, a point in space, mm; the tip when free."""
+        """(3,) point in space where friction holds the tip, mm; the tip when free."""
     @property
     def normal(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) unit, out of the skin; zeros when free."""
+        """(3,) unit normal, out of the skin; zeros when free."""
     @property
     def depth_mm(self) -> float:
         """Depth along the normal, mm; 0 when free."""
     @property
     def tissue_mm(self) -> float:
-        """Thickness over the bone under the finger as it is felt, more over a narrow one, mm; 0 when free and where it is not known."""
+        """Effective tissue thickness over the bone under the finger, larger over a narrow one, mm; 0 when free or unknown."""
     @property
     def rest_mm(self) -> float:
-        """Effective depth at which the skin under the finger would stay by itself, mm."""
+        """Effective depth at which the skin under the finger would stay without force, mm."""
     @property
     def state(self) -> str:
         """'free', 'stick' or 'slip'."""
@@ -267,50 +267,50 @@ class Touch:
         """Bits: 1 tip lost (not finite or absurdly far: no force), 2 catching up, 4 too deep, 8 letting go, 16 at the border, 32 started inside, 64 unsettled, 128 shading failed (docs/explanation/contact.md)."""
     @property
     def radius_mm(self) -> float:
-        """Of the finger, mm; 0: a point."""
+        """Radius of the finger, mm; 0 is a point."""
     @property
     def lump_force(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) of `force`, what the lumps under the skin add, N."""
+        """(3,) part of `force` added by the lumps under the skin, N."""
     @property
     def lump_share(self) -> float:
-        """Their normal force over that of the press without them; 0 where that is 0."""
+        """Normal force of the lumps divided by that of the press without them; 0 where that is 0."""
     @property
     def lump(self) -> int:
-        """Of the lumps that move and are felt the nearest, by its place in World.lumps; -1: none."""
+        """Index in World.lumps of the nearest movable lump that is felt; -1 for none."""
     @property
     def lump_moved(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(2,) how far that one is from its place, mm across and up."""
+        """(2,) displacement of that lump from its place, mm across and up."""
     def __repr__(self) -> str:
-        """In a few words."""
+        """Short description."""
 
 class Finger:
-    """One finger on a world, one tick a call. Keeps its world. Use each from one thread at a time."""
+    """One finger on a world, one tick per call. Keeps its world alive. Not thread-safe."""
 
     def __init__(self, world: World, settings: Optional[Union[FingerSettings, Sequence[FingerSettings]]] = None) -> None:
-        """settings: a FingerSettings, or None for the scene's first finger. Raises palpate.Error where they and the world do not suit."""
+        """settings: a FingerSettings, or None for the scene's first finger. Raises palpate.Error if they do not suit the world."""
     @property
     def world(self) -> World:
-        """The world it feels."""
+        """The world that it touches."""
     @property
     def settings(self) -> FingerSettings:
-        """What it is."""
+        """Its settings."""
     def lift(self) -> None:
-        """The finger leaves: its next tip may be anywhere, and nothing between here and there is touched."""
+        """Lifts the finger. The next tip may be anywhere; the motion in between makes no contact."""
     def reset(self) -> None:
-        """As when it was made: `lift`, its clock starts again, which counts on a body that breathes, and lumps that it moved are back."""
+        """Resets to the initial state: lifts the finger, restarts its clock (for a breathing body) and puts moved lumps back."""
     @overload
     def step(self, tip: numpy.typing.ArrayLike) -> Touch:
-        """One tick with the tip (3,) here, mm; FingerSettings.tick_s after the last. A ball's tip is its centre.
+        """One tick with the tip at (3,), mm, FingerSettings.tick_s after the last. A ball's tip is its centre.
 
         An array of float64 is fastest. A tip that is not finite is lost: status 1, no force, and the finger stays as it was.
         Raises TypeError for what is not a number, ValueError for another shape. The interpreter's lock is kept.
         """
     @overload
     def step(self, x: float, y: float, z: float) -> Touch:
-        """The same with three numbers."""
+        """The same with three coordinates."""
 
 class Lump:
-    """Something under the skin: a node, a cyst, a hard band. Checked when made; it never changes.
+    """A lump under the skin: a node, a cyst, a hard band. Checked on creation; immutable.
 
     at: the skin over its middle, by name ("T9 right 30 mm") or x, y, mm, seen along z
     depth_mm: of its top under the skin at rest, along the normal; at least 0.5 mm under the skin's own layer
@@ -326,40 +326,40 @@ class Lump:
     """
 
     def __init__(self, *, at: Union[str, numpy.typing.ArrayLike], depth_mm: float = 8.0, diameter_mm: Optional[float] = None, half_axes_mm: Optional[numpy.typing.ArrayLike] = None, stiffness_ratio: Optional[float] = None, young_kpa: Optional[float] = None, edge: float = 0.0, mobility_mm_per_n: float = 0.0, mobility_limit_mm: float = 10.0, raise_mm: float = 0.0, name: str = '') -> None:
-        """All by name. Raises palpate.Error, ValueError for shapes."""
+        """Keyword arguments only. Raises palpate.Error, or ValueError for wrong shapes."""
     @property
     def name(self) -> str:
-        """As it was given."""
+        """Name as given."""
     @property
     def at(self) -> Union[str, numpy.typing.ArrayLike]:
-        """The skin over its middle: words, or x and y, mm."""
+        """Place on the skin above its centre: a name, or x and y, mm."""
     @property
     def depth_mm(self) -> float:
-        """Of its top under the skin at rest."""
+        """Depth of its top below the skin at rest, mm."""
     @property
     def half_axes_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """(3,) across, across, into the body, mm."""
+        """(3,) half axes: across, across, into the body, mm."""
     def __repr__(self) -> str:
-        """As the constructor would be called."""
+        """The call of the constructor."""
     def __eq__(self, other: object) -> bool:
-        """True where all of it is the same."""
+        """Whether all values are equal."""
     def __hash__(self) -> int:
-        """Of all its numbers."""
+        """Hash of all values."""
 
 def _world_of(toml: str, mesh: Any, hash: str) -> World:
-    """What a pickled World is made of again."""
+    """Rebuilds a World from its pickle."""
 def _native_rollout_seconds(world: World, tips: numpy.typing.ArrayLike) -> float:
-    """Seconds that a loop of C++ takes for the path (T, 3) of one finger, its outputs kept; for tools/bench-python."""
+    """Time in s of a C++ loop over the path (T, 3) of one finger, storing its outputs; for tools/bench-python."""
 class Fingers:
-    """A batch of fingers on one world that persist between calls.
+    """A batch of fingers on one world; they keep their state between calls.
 
     One call at a time: a second, from another thread, raises RuntimeError. After a fork the child may use it, threads and all. `with` closes it.
     """
 
     def __init__(self, world: World, n: int, *, settings: Optional[Union[FingerSettings, Sequence[FingerSettings]]] = None, threads: int = 1) -> None:
-        """n fingers; settings: None for the scene's, a FingerSettings for all, or a sequence of n; threads: share a call's work where it is more than 5,000 ticks. Raises palpate.Error where settings and world do not suit."""
+        """n fingers; settings: None for the scene's, a FingerSettings for all, or a sequence of n; threads: share the work of a call above 5,000 ticks. Raises palpate.Error if the settings do not suit the world."""
     def step(self, tips: numpy.typing.ArrayLike, *, substeps: int = 1, fields: Optional[Sequence[str]] = None, out: Optional[dict[str, numpy.typing.NDArray[Any]]] = None) -> dict[str, numpy.typing.NDArray[Any]]:
-        """Moves every finger to its tip (n, 3), mm, and answers what it felt in its last tick.
+        """Moves every finger to its tip (n, 3), mm, and returns its contact in the last tick.
 
         substeps: ticks that the way takes, in a straight line from where the finger was sent last: tick k is at from + (to - from) * (k / substeps)
         fields, out: as for World.rollout, arrays (n, ...)
@@ -367,36 +367,36 @@ class Fingers:
         Arrays are fresh unless `out` is given. The interpreter's lock is released, Ctrl-C interrupts: some fingers have moved then. Raises RuntimeError while another call is at work, ValueError for shapes.
         """
     def reset(self, mask: Optional[numpy.typing.ArrayLike] = None) -> None:
-        """Those with True in mask (n,), all for None, are as when they were made. Raises RuntimeError, ValueError."""
+        """Resets the fingers with True in mask (n,), or all for None. Raises RuntimeError, ValueError."""
     def lift(self, mask: Optional[numpy.typing.ArrayLike] = None) -> None:
-        """Those with True in mask (n,), all for None, leave: their next tips may be anywhere. Raises RuntimeError, ValueError."""
+        """Lifts the fingers with True in mask (n,), or all for None; their next tips may be anywhere. Raises RuntimeError, ValueError."""
     def touches(self) -> list[Touch]:
-        """A list of n Touch of the last ticks, for Skin.apply. Raises RuntimeError while another call is at work."""
+        """List of the n Touch of the last ticks, for Skin.apply. Raises RuntimeError during another call."""
     def close(self) -> None:
-        """Ends its threads. Whatever is asked of it afterwards raises ValueError; closed again is closed."""
+        """Ends its threads. Later calls raise ValueError; closing again has no effect."""
     def __enter__(self) -> Fingers:
-        """Itself."""
+        """Returns itself."""
     def __exit__(self, *args: Any) -> None:
-        """close()."""
+        """Calls close()."""
     def __len__(self) -> int:
-        """How many fingers there are."""
+        """Number of fingers."""
     @property
     def world(self) -> World:
-        """The world they feel."""
+        """The world that they touch."""
     @property
     def threads(self) -> int:
-        """Threads that share a call's work."""
+        """Number of threads that share the work of a call."""
 
 class Skin:
-    """The skin of a world as fingers deform it.
+    """The skin of a world, deformed by fingers.
 
     Its arrays are live, read-only views: the next `apply` changes what they show. They are for the thread that applies; `copy` is for others and for later.
     """
 
     def __init__(self, world: World, *, strain: bool = True, fingers: int = 16) -> None:
-        """At rest. strain: also compute the strain; fingers: the most that are applied at once. Raises palpate.Error."""
+        """Begins at rest. strain: also compute the strain; fingers: maximum number applied at once. Raises palpate.Error."""
     def apply(self, touches: Union[Touch, Iterable[Touch]], *, tick: int = 0) -> None:
-        """Brings the skin to what these touches make of it, whatever it was before; an empty list: to rest.
+        """Deforms the skin by these touches, whatever its state before; an empty list brings it to rest.
 
         tick: when they felt it, counted from the start of the run; matters on a body that breathes.
         The interpreter's lock is kept. Raises TypeError for other things than touches, ValueError for more of them than there is room for, RuntimeError while another thread reads the skin (view.render).
@@ -408,142 +408,142 @@ class Skin:
         """(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory). Of a body farther than 10 m from the origin, as in map coordinates, a fresh float64 array."""
     @property
     def normals(self) -> numpy.typing.NDArray[numpy.float32]:
-        """(V, 3) float32, unit; a live view."""
+        """(V, 3) float32 unit normals; a live view."""
     @property
     def displacement(self) -> numpy.typing.NDArray[numpy.float32]:
-        """(V, 3) float32, mm from rest, 0 where nothing moves; a live view."""
+        """(V, 3) float32, mm from rest, 0 where the skin does not move; a live view."""
     @property
     def strain(self) -> numpy.typing.NDArray[numpy.float32]:
         """(V,) float32, 0.1 is 10 % longer, below 0 shorter; zeros without strain. A live view."""
     @property
     def changed(self) -> numpy.typing.NDArray[numpy.int64]:
-        """(R, 2) int64: ranges of vertices, first and end, that the last `apply` wrote; fresh."""
+        """(R, 2) int64: ranges of vertices, first and end, written by the last `apply`; a new array."""
     @property
     def moved_vertices(self) -> int:
-        """How many vertices the last `apply` found in the reach of a finger."""
+        """Number of vertices within reach of a finger in the last `apply`."""
     @property
     def status(self) -> int:
         """Bits of the last `apply`: 1 a contact that is not finite, 2 without triangle, 4 more than there is room for, 8 a region without area, 16 without a vertex (docs/explanation/deformation.md)."""
     @property
     def world(self) -> World:
-        """The world whose skin it is."""
+        """The world that the skin belongs to."""
 
 class ReplayDifference:
-    """The first place where a replay differs from the record."""
+    """First place where a replay differs from the recording."""
 
     @property
     def tick(self) -> int:
-        """Of the servo loop."""
+        """Tick of the servo loop."""
     @property
     def finger(self) -> str:
-        """Its name."""
+        """Name of the finger."""
     @property
     def field(self) -> str:
-        """The column."""
+        """Name of the column."""
     @property
     def recorded(self) -> str:
-        """The value in the file, in words."""
+        """Value in the file, as text."""
     @property
     def replayed(self) -> str:
-        """The value that was felt again, in words."""
+        """Value of the replay, as text."""
     def __repr__(self) -> str:
         ...
 
 class ReplayReport:
-    """What came of feeling a session again."""
+    """Result of replaying a session."""
 
     @property
     def identical(self) -> bool:
-        """Every compared bit is the same."""
+        """Whether every compared bit is the same."""
     @property
     def ticks(self) -> int:
-        """Samples that were compared."""
+        """Number of compared samples."""
     @property
     def different(self) -> int:
-        """How many of them differ."""
+        """Number of samples that differ."""
     @property
     def unproven(self) -> int:
-        """Samples that could not be compared: time before them is missing from the session."""
+        """Samples that could not be compared, because earlier ticks are missing from the session."""
     @property
     def first_difference(self) -> Optional[ReplayDifference]:
-        """The first, or None."""
+        """The first difference, or None."""
     @property
     def notes(self) -> list[str]:
-        """A body that is not the recorded one, and so on."""
+        """Notes, e.g. a body that differs from the recorded one."""
     @property
     def gaps(self) -> list[str]:
-        """Where time is missing, in words."""
+        """Spans with missing ticks, as text."""
     def __repr__(self) -> str:
         ...
 
 class SessionRepair:
-    """What was salvaged of a damaged session, and what was lost."""
+    """What was recovered from a damaged session, and what was lost."""
 
     @property
     def nothing_lost(self) -> bool:
-        """All that was recorded is in the new file."""
+        """Whether everything recorded is in the new file."""
     @property
     def samples(self) -> int:
-        """Salvaged."""
+        """Number of recovered samples."""
     @property
     def blocks(self) -> int:
-        """Salvaged."""
+        """Number of recovered blocks."""
     @property
     def events(self) -> int:
-        """Salvaged."""
+        """Number of recovered events."""
     @property
     def worlds(self) -> int:
-        """Salvaged."""
+        """Number of recovered worlds."""
     @property
     def attachments(self) -> int:
-        """Salvaged."""
+        """Number of recovered attachments."""
     @property
     def samples_lost(self) -> int:
-        """Those that are known by their time."""
+        """Number of lost samples, as far as their times are known."""
     @property
     def blocks_lost(self) -> int:
-        """With a checksum that does not hold, or missing."""
+        """Number of blocks that are missing or have a wrong checksum."""
     @property
     def bytes_missing(self) -> int:
-        """At the file's end."""
+        """Number of bytes missing at the end of the file."""
     @property
     def header_lost(self) -> bool:
-        """When it began, its rate, notes."""
+        """Whether the header is lost: start time, rate, notes."""
     @property
     def lost(self) -> list[dict[str, Any]]:
-        """A dict each: finger, first_tick, last_tick (both included), samples."""
+        """Lost spans, one dict each: finger, first_tick, last_tick (inclusive), samples."""
     @property
     def gaps(self) -> list[dict[str, Any]]:
-        """Ticks that were never recorded, as `lost`."""
+        """Spans that were never recorded, in the form of `lost`."""
     @property
     def other_lost(self) -> list[Any]:
-        """Worlds, names, attachments: a line each."""
+        """Lost worlds, names and attachments, one line each."""
     @property
     def notes(self) -> list[Any]:
-        """What else was seen."""
+        """Other observations."""
     def __repr__(self) -> str:
         ...
 
 def repair(file: Union[str, os.PathLike[str]], target: Union[str, os.PathLike[str]], *, overwrite: bool = False) -> SessionRepair:
-    """Writes what can still be read of a damaged session into `target`; `file` is only read. A sample comes
-    out with every bit, or not at all. Releases the GIL. Raises Error where there is nothing to salvage, for
-    a target that is there already, and for the same file twice.
+    """Writes the readable parts of a damaged session into `target`; `file` is only read. A sample comes
+    out with every bit, or not at all. Releases the GIL. Raises Error if nothing can be recovered, for
+    a target that already exists, and for the same file twice.
     """
 class SessionBlocks:
-    """Walks through a session, a dict of arrays at a time."""
+    """Iterator over a session, one dict of arrays at a time."""
 
     def __iter__(self) -> SessionBlocks:
-        """Itself."""
+        """Returns itself."""
     def __next__(self) -> dict[str, numpy.typing.NDArray[Any]]:
-        """The next block that is not empty."""
+        """Returns the next non-empty block."""
 
 class Session:
-    """A recorded session, also while it is written. For one thread at a time: another call meanwhile raises
+    """A recorded session, readable while it is being written. Not thread-safe: a concurrent call raises
     RuntimeError. Closes with `with`.
     """
 
     def __init__(self, file: Union[str, os.PathLike[str]]) -> None:
-        """Raises Error for what is not a session, is damaged, or of a later version."""
+        """Raises Error for a file that is not a session, is damaged, or is of a later version."""
     @property
     def header(self) -> dict[str, Any]:
         """dict: started_utc, ended_utc, ended_by, software, machine, ticks_per_s, notes, tags,
@@ -551,43 +551,43 @@ class Session:
         """
     @property
     def fingers(self) -> list[dict[str, Any]]:
-        """A dict each: name, device, capabilities, placed."""
+        """Fingers, one dict each: name, device, capabilities, placed."""
     @property
     def worlds(self) -> list[dict[str, Any]]:
-        """A dict each: number, scene (its text), folder, body, triangles, hash."""
+        """Worlds, one dict each: number, scene (its text), folder, body, triangles, hash."""
     @property
     def columns(self) -> list[dict[str, Any]]:
-        """What `samples` knows, a dict each: name, type, unit, meaning."""
+        """Columns of `samples`, one dict each: name, type, unit, meaning."""
     def events(self, span: Optional[tuple[int, int]] = None) -> list[dict[str, Any]]:
-        """A dict each: tick, finger (None: of all), kind, text. span: first and last tick, both included."""
+        """Events, one dict each: tick, finger (None for all), kind, text. span: first and last tick, inclusive."""
     def samples(self, fields: Optional[list[str]] = None, finger: Any = 0, span: Optional[tuple[int, int]] = None) -> dict[str, numpy.typing.NDArray[Any]]:
-        """Ticks of one finger (its number or name) as a dict of fresh arrays (N,) by column, or (N, 3) for tip,
+        """Ticks of one finger (its number or name) as a dict of new arrays (N,) by column, or (N, 3) for tip,
         proxy, anchor, hold, normal, force, device_force, dent, lump_force. fields: None means every column. span: first and
         last tick, both included. Releases the GIL. Raises Error for a field, a finger, a damaged block.
         """
     def blocks(self, ticks: int = 10000, fields: Optional[list[str]] = None, finger: Any = 0, span: Optional[tuple[int, int]] = None) -> SessionBlocks:
-        """Iterates over what `samples` gives, so many ticks at a time: memory for one block, however long the
-        session. Spans without a sample are passed over.
+        """Iterates over `samples`, this many ticks at a time; uses memory for one block, however long the
+        session. Spans without samples are skipped.
         """
     def world(self, number: int = 0, folder: Union[str, os.PathLike[str]] = '') -> World:
-        """Builds a recorded world. folder: where the files that its scene names lie now. Raises Error."""
+        """Builds a recorded world. folder: current location of the files that its scene names. Raises Error."""
     def replay(self, span: Optional[tuple[int, int]] = None, folder: Union[str, os.PathLike[str]] = '') -> ReplayReport:
-        """Feels the session again and compares every bit of the span. Releases the GIL. Raises Error for a scene
+        """Replays the session and compares every bit of the span. Releases the GIL. Raises Error for a scene
         that can no longer be built.
         """
     def damaged_blocks(self) -> list[tuple[int, str]]:
-        """Blocks that cannot be read, and why: pairs of number and words."""
+        """Blocks that cannot be read: pairs of number and reason."""
     def close(self) -> None:
-        """Lets the file go; any later question raises ValueError."""
+        """Closes the file; later calls raise ValueError."""
     def __enter__(self) -> Session:
-        """Itself."""
+        """Returns itself."""
     def __exit__(self, *args: Any) -> None:
-        """Closes it."""
+        """Calls close()."""
     def __repr__(self) -> str:
         ...
 
 class Law:
-    """From how deep to how strong: F = k h(depth), k being the stiffness of the place at the
+    """A force law, from depth to force: F = k h(depth), where k is the stiffness of the place at the
     reference depth (8 mm). Immutable. Made by `linear`, `power`, `stiffening`, `table`, `layered`,
     or `of` a world. Depths in mm under the skin, stiffness in N/mm, forces in N.
     """
@@ -597,7 +597,7 @@ class Law:
         """Hooke's law, h = depth."""
     @staticmethod
     def power(exponent: float = 1.6, reference_depth_mm: float = 8.0) -> Law:
-        """h = d_ref (d / d_ref)^exponent; the exponent 1 to 3. Raises Error."""
+        """h = d_ref (d / d_ref)^exponent, with an exponent of 1 to 3. Raises Error."""
     @staticmethod
     def stiffening(ratio: float = 5.0, depth_mm: float = 12.0, reference_depth_mm: float = 8.0) -> Law:
         """The slope grows along a half Gaussian to `ratio` times that of a light touch, reached at `depth_mm`.
@@ -605,32 +605,32 @@ class Law:
         """
     @staticmethod
     def table(depth_mm: numpy.typing.ArrayLike, force_n: numpy.typing.ArrayLike, reference_depth_mm: float = 8.0) -> Law:
-        """A measured law: arrays (R,) of at most 64 rows, depths increasing, forces not falling; scaled so
+        """A measured law: arrays (R,) of at most 64 rows, increasing depths, non-decreasing forces; scaled so
         that it agrees with the map at the reference depth. Raises ValueError, Error.
         """
     @staticmethod
     def layered(fat_mm: float = 8.0) -> Law:
-        """Skin, so much fat (mm) and muscle over bone, as solved by finite elements: `tissue_mm` counts."""
+        """Skin, fat of this thickness (mm) and muscle over bone, solved by finite elements; depends on `tissue_mm`."""
     @staticmethod
     def of(world: World) -> Law:
-        """The law that a world is felt by."""
+        """The force law of a world."""
     @property
     def kind(self) -> str:
         """"linear", "power", "stiffening", "table" or "layered"."""
     @property
     def exponent(self) -> float:
-        """Of the power law."""
+        """Exponent of the power law."""
     @property
     def reference_depth_mm(self) -> float:
-        """Where every law agrees with Hooke's, mm."""
+        """Depth at which every law agrees with Hooke's, mm."""
     def force(self, depth_mm: numpy.typing.ArrayLike, stiffness: numpy.typing.ArrayLike = 1.0, tissue_mm: numpy.typing.ArrayLike = 0.0) -> numpy.typing.NDArray[numpy.float64]:
-        """Normal force, N, an array of the arguments' common shape; 0 above the skin. `tissue_mm`: thickness over
+        """Normal force, N, in the broadcast shape of the arguments; 0 above the skin. `tissue_mm`: thickness over
         the bone, which only the layered law asks for.
         """
     def tangent(self, depth_mm: numpy.typing.ArrayLike, stiffness: numpy.typing.ArrayLike = 1.0, tissue_mm: numpy.typing.ArrayLike = 0.0) -> numpy.typing.NDArray[numpy.float64]:
-        """dF/dd, N/mm, for depths >= 0: what a small change of depth feels like. Shapes as for `force`."""
+        """dF/dd, N/mm, for depths >= 0: the stiffness for small changes of depth. Shapes as for `force`."""
     def depth(self, force_n: numpy.typing.ArrayLike, stiffness: numpy.typing.ArrayLike = 1.0, tissue_mm: numpy.typing.ArrayLike = 0.0) -> numpy.typing.NDArray[numpy.float64]:
-        """The least depth with this force, mm; 0 for a force that is not positive. Shapes as for `force`."""
+        """Smallest depth with this force, mm; 0 for a force that is not positive. Shapes as for `force`."""
     def __repr__(self) -> str:
         ...
 
@@ -640,117 +640,117 @@ class LayeredTissue:
     """
 
     def __init__(self, fat_mm: float = 8.0) -> None:
-        """fat_mm: thickness of the fat, 0 to 60 mm, less where there is no room for it."""
+        """fat_mm: thickness of the fat, 0 to 60 mm, less where there is no room."""
     @staticmethod
     def from_table(file: Union[str, os.PathLike[str]]) -> LayeredTissue:
-        """Of a table that `palpate tissue solve` or `palpate tissue fit profile` wrote. Raises Error."""
+        """Reads a table written by `palpate tissue solve` or `palpate tissue fit profile`. Raises Error."""
     @property
     def thinnest_mm(self) -> float:
-        """The thinnest solved stack, mm."""
+        """Thickness of the thinnest solved stack, mm."""
     @property
     def thickest_mm(self) -> float:
-        """The thickest solved stack, mm."""
+        """Thickness of the thickest solved stack, mm."""
     def secant(self, thickness_mm: numpy.typing.ArrayLike, depth_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """Force over depth, N/mm, an array of the arguments' common shape; depths > 0."""
+        """Force divided by depth, N/mm, in the broadcast shape of the arguments; depths > 0."""
     def force(self, thickness_mm: numpy.typing.ArrayLike, depth_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """Normal force on the fingertip, N, an array of the arguments' common shape."""
+        """Normal force on the fingertip, N, in the broadcast shape of the arguments."""
     def deepest(self, thickness_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """How deep the skin goes at most, mm: as deep as was solved, never to the bone."""
+        """Maximum depth of the skin, mm: the deepest that was solved, never down to the bone."""
     def pressed(self, thickness_mm: float, depth_mm: float, r_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """How pressed skin moves at these distances from the axis (N,): an array (N, 2), mm, into the body and away
+        """Motion of pressed skin at these distances from the axis (N,): an array (N, 2), mm, into the body and away
         from the axis.
         """
     def law(self) -> Law:
-        """The force law of these places, for Law's functions with `tissue_mm`."""
+        """The force law of this tissue, for Law's functions with `tissue_mm`."""
 
 def published_moduli() -> list[tuple[str, float, float, str, str, str, bool]]:
     """Rows (tissue, low_kpa, high_kpa, how, source, doubt, is_default); palpate.tissue.moduli names them."""
 def default_modulus(tissue: str) -> float:
-    """kPa, of "skin", "fat" or "muscle" in the solved stacks. Raises Error for another word."""
+    """Young's modulus (kPa) of "skin", "fat" or "muscle" in the solved stacks. Raises Error for any other word."""
 def profile(q: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
     """The dissertation's half Gaussian: the share of the finger's motion at location ratio q, 1 under it, 0 from 1
     on. An array of q's shape.
     """
 class FittedNumber:
-    """A number that a fit found, and how sure it is. float() gives its value."""
+    """A fitted number with its standard error. float() gives its value."""
 
     @property
     def name(self) -> str:
-        """What it is called; a scene's key where there is one."""
+        """Its name; the key of a scene if there is one."""
     @property
     def value(self) -> float:
-        """The number."""
+        """The value."""
     @property
     def standard_error(self) -> float:
-        """NaN: too few rows to tell; 0: at the end of its range, or not asked for."""
+        """Standard error; NaN for too few rows; 0 at the end of its range, or if not fitted."""
     @property
     def at_end(self) -> bool:
-        """At the end of its range: what the rows want may lie beyond."""
+        """Whether it is at the end of its range; the best value may be beyond."""
     def __float__(self) -> float:
         """The value."""
     def __repr__(self) -> str:
         ...
 
 class ForceFit:
-    """A force law fitted to force by depth: F = k h(depth), h(8 mm) = 8 mm."""
+    """A force law fitted to measured forces: F = k h(depth), h(8 mm) = 8 mm."""
 
     @property
     def form(self) -> str:
         """"linear", "power", "stiffening", "cubic" or "measured"."""
     @property
     def secant(self) -> FittedNumber:
-        """k, N/mm: what a stiffness map means."""
+        """k, N/mm: the value of a stiffness map."""
     @property
     def numbers(self) -> dict[str, FittedNumber]:
-        """The form's numbers by name: exponent, stiffening_ratio ..."""
+        """Parameters of the form by name: exponent, stiffening_ratio ..."""
     @property
     def offset(self) -> FittedNumber:
-        """Where the skin is met, mm below the table's 0."""
+        """Depth at which the skin is met, mm below the table's 0."""
     @property
     def law(self) -> Law:
-        """The Law with these numbers; a table where the engine has no such form."""
+        """The Law with these parameters; a table if the engine has no such form."""
     @property
     def rms(self) -> float:
         """RMS of (fit - F) / max(F, 0.3 F_max), a fraction."""
     @property
     def unseen_rms(self) -> float:
-        """The same of rows left out of the fit, a fifth at a time."""
+        """RMS for rows left out of the fit, a fifth at a time."""
     @property
     def rows(self) -> int:
-        """How many were fitted."""
+        """Number of fitted rows."""
     @property
     def deepest_mm(self) -> float:
-        """From the contact; beyond it the law is a guess."""
+        """Largest fitted depth from the contact, mm; beyond it the law is an extrapolation."""
     def force(self, depth_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """N at depths as the curve counts them; an array of their shape."""
+        """Force, N, at depths of the curve; an array of their shape."""
     def __repr__(self) -> str:
         ...
 
 class ProfileFit:
-    """The shape of pressed skin: it goes down by surface_mm * down(r)."""
+    """Fitted shape of pressed skin: it moves down by surface_mm * down(r)."""
 
     @property
     def form(self) -> str:
         """"half_gaussian", "power_tail", "two_gaussians" or "measured"."""
     @property
     def depth_mm(self) -> float:
-        """Of the indenter."""
+        """Depth of the indenter, mm."""
     @property
     def surface_mm(self) -> float:
-        """u0: of the skin on the axis."""
+        """u0: depth of the skin on the axis, mm."""
     @property
     def numbers(self) -> dict[str, FittedNumber]:
-        """The form's numbers by name: radius_mm, exponent ..."""
+        """Parameters of the form by name: radius_mm, exponent ..."""
     @property
     def rms(self) -> float:
-        """Of the way down, a fraction of surface_mm, within 40 mm."""
+        """RMS of the downward motion, as a fraction of surface_mm, within 40 mm."""
     @property
     def unseen_rms(self) -> float:
-        """The same of places left out of the fit."""
+        """RMS for places left out of the fit."""
     def down(self, r_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """Share of surface_mm at distances from the axis at rest, mm; an array of their shape."""
+        """Downward motion as a fraction of surface_mm, at distances from the axis at rest, mm; an array of their shape."""
     def outward(self, r_mm: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]:
-        """The same of the motion away from the axis; 0 where it was not measured."""
+        """Motion away from the axis as a fraction of surface_mm; 0 if not measured."""
     def __repr__(self) -> str:
         ...
 
@@ -759,9 +759,9 @@ def fit_forces(depth_mm: numpy.typing.ArrayLike, force_n: numpy.typing.ArrayLike
     free_offset: look for the contact between 0 and most_offset_mm. Raises ValueError, Error.
     """
 def best_force_fit(fits: list[ForceFit]) -> ForceFit:
-    """The form that foretells unseen rows best; of those nearly as good the simplest."""
+    """The form that predicts unseen rows best; the simplest of those nearly as good."""
 def fit_shared_force(curves: list[tuple[numpy.typing.ArrayLike, numpy.typing.ArrayLike]], form: str, *, free_offset: bool = False) -> ForceFit:
-    """One shape for several places, each with a stiffness of its own: pairs (depth_mm, force_n).
+    """One shape for several places, each with its own stiffness: pairs (depth_mm, force_n).
     Raises ValueError, Error.
     """
 def fit_profiles(depth_mm: float, r_mm: numpy.typing.ArrayLike, down_mm: numpy.typing.ArrayLike, outward_mm: Optional[numpy.typing.ArrayLike] = None) -> list[ProfileFit]:
@@ -780,7 +780,7 @@ class Device:
 
     @property
     def name(self) -> str:
-        """As it was opened."""
+        """Name under which it was opened."""
     @property
     def capabilities(self) -> dict[str, Any]:
         """dict: takes_force, max_force_n, continuous_force_n, nominal_stiffness_n_per_mm, rate_hz,
@@ -793,7 +793,7 @@ class Device:
         """
     @property
     def tick(self) -> int:
-        """Of the next reading."""
+        """Tick of the next reading."""
     def read(self, tick: Optional[int] = None) -> numpy.typing.NDArray[numpy.float64]:
         """Its position (3,), mm in the body's frame; NaN where it has none now. tick: which of a script's positions;
         None: the next. Raises ValueError once it is closed.
@@ -803,11 +803,11 @@ class Device:
         tick. Raises ValueError.
         """
     def close(self) -> None:
-        """Zero force, and the driver is let go. Twice is as good as once."""
+        """Sets zero force and releases the driver. Closing again has no effect."""
     def __enter__(self) -> Device:
-        """Itself."""
+        """Returns itself."""
     def __exit__(self, *args: Any) -> None:
-        """Closes it."""
+        """Calls close()."""
     def __repr__(self) -> str:
         ...
 
@@ -821,7 +821,7 @@ def open_device(words: str, *, scale: float = 1.0, origin_mm: numpy.typing.Array
     Releases the GIL. Raises Error with the reason.
     """
 def scripted_device(tips: numpy.typing.ArrayLike) -> Device:
-    """A device that repeats tips (T, 3), mm, one a tick, and rests at the last. Raises ValueError, Error."""
+    """A device that plays tips (T, 3), mm, one per tick, and stays at the last. Raises ValueError, Error."""
 class Loop:
     """A servo loop that a script turns by hand: contact, limiter and devices as the engine's own loop
     has them, at the pace of the script. One thread at a time; `with` closes it.
@@ -837,21 +837,21 @@ class Loop:
         first positions must be outside the body, like a hand that comes to it.
         """
     def lift(self, finger: int = 0) -> None:
-        """The finger is put elsewhere: it forgets what it touched."""
+        """Lifts the finger; the next tip may be anywhere."""
     def mark(self, text: str) -> None:
-        """A mark at the newest tick of the session. Raises ValueError where none is recorded."""
+        """Sets a mark at the newest tick of the session. Raises ValueError if none is recorded."""
     @property
     def device_forces(self) -> numpy.typing.NDArray[numpy.float64]:
-        """What the devices were sent in the last tick (F, 3), N: the contact's force, limited."""
+        """Forces sent to the devices in the last tick (F, 3), N: the contact force after the safety limits."""
     @property
     def ticks(self) -> int:
-        """How many there were."""
+        """Number of ticks so far."""
     def close(self) -> None:
-        """Zero force; devices are given back, the session is finished under its name."""
+        """Sets zero force, returns the devices and completes the session file."""
     def __enter__(self) -> Loop:
-        """Itself."""
+        """Returns itself."""
     def __exit__(self, *args: Any) -> None:
-        """Closes it."""
+        """Calls close()."""
 
 def drive(world: World, devices: list[Device], seconds: float, *, settings: Any = None, session: Optional[Union[str, os.PathLike[str]]] = None, notes: str = '') -> dict[str, Any]:
     """The engine's servo thread for so many seconds, at the scene's rate, a finger a device, within the limits of

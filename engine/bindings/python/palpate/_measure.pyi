@@ -15,17 +15,17 @@ class Estimate:
 
     @property
     def value(self) -> float:
-        """The number."""
+        """The value."""
     @property
     def sd(self) -> float:
-        """Its standard deviation."""
+        """Standard deviation."""
     def __float__(self) -> float:
         """The number."""
     def __repr__(self) -> str:
         ...
 
 class KeyEllipse:
-    """The ellipse through the places that move by level_mm."""
+    """Ellipse through the places that move by level_mm."""
 
     @property
     def level_mm(self) -> float:
@@ -41,19 +41,19 @@ class KeyEllipse:
         """Ratio of the axes."""
     @property
     def direction_deg(self) -> Estimate:
-        """Of the major axis, from the right towards the head, in (-90, 90]."""
+        """Direction of the major axis, from the right towards the head, in (-90, 90]."""
     def __repr__(self) -> str:
         ...
 
 class Measurement:
-    """What two pictures say, and whether to believe it. What was not fitted is None."""
+    """Measurement from two pictures, with its verdict. Values that were not fitted are None."""
 
     @property
     def accepted(self) -> bool:
-        """Nothing refuses it."""
+        """Whether no finding rejects it."""
     @property
     def findings(self) -> list[dict[str, Any]]:
-        """What speaks against it, a dict each: severity ("refusal", "warning"), code (stable),
+        """Findings against it, one dict each: severity ("refusal", "warning"), code (stable),
         text (what was seen and what to do).
         """
     @property
@@ -61,40 +61,40 @@ class Measurement:
         """The key ellipse, of 2 mm; None without a fit."""
     @property
     def ellipse_4_mm(self) -> Optional[KeyEllipse]:
-        """That of 4 mm."""
+        """The ellipse of 4 mm."""
     @property
     def peak_mm(self) -> Optional[Optional[Estimate]]:
-        """How far the skin moved under the contact."""
+        """Motion of the skin under the contact, mm."""
     @property
     def drag_deg(self) -> Optional[Estimate]:
-        """The way it was pulled, in (-180, 180]."""
+        """Direction in which it was pulled, in (-180, 180]."""
     @property
     def residual_rms_mm(self) -> Optional[float]:
-        """Of the dots about the fit."""
+        """RMS residual of the dots, mm."""
     @property
     def inside_share(self) -> Optional[float]:
-        """Of the ellipse that lies within the dots."""
+        """Fraction of the ellipse inside the area of dots."""
     @property
     def drift(self) -> dict[str, Any]:
-        """How the body moved between the pictures: right_mm, headwards_mm, length_mm, turn_deg,
+        """Motion of the body between the pictures: right_mm, headwards_mm, length_mm, turn_deg,
         scale_percent; empty without a fit.
         """
     @property
     def dots(self) -> dict[str, numpy.typing.NDArray[Any]]:
-        """A dict of arrays, a row a dot: site (N, 2) column and row, before_px, after_px (NaN:
+        """A dict of arrays, one row per dot: site (N, 2) column and row, before_px, after_px (NaN:
         hidden), skin_mm, moved_mm without the body's own motion (N, 2), residual_mm (N,).
         """
     @property
     def contour_mm(self) -> numpy.typing.NDArray[numpy.float64]:
-        """The traced contour of 2 mm on the skin (N, 2), mm; empty where there is none."""
+        """Traced 2 mm contour on the skin (N, 2), mm; empty if there is none."""
     @property
     def matched(self) -> int:
-        """Dots that both pictures show."""
+        """Number of dots found in both pictures."""
     @property
     def seconds(self) -> float:
-        """That it took."""
+        """Computation time, s."""
     def row(self, name: str, place_mm: tuple[float, float]) -> str:
-        """A line of a table of key points under `row_header`, for maps; empty without a fit. Raises ValueError."""
+        """Row of a key point table under `row_header`, for maps; empty without a fit. Raises ValueError."""
     def __repr__(self) -> str:
         ...
 
@@ -106,9 +106,9 @@ def dots(before: Union[str, os.PathLike[str], numpy.typing.NDArray[numpy.uint8]]
     the pictures show: see Measurement.accepted. Releases the GIL. Raises Error, ValueError.
     """
 def row_header() -> str:
-    """The columns of Measurement.row, with the line's end."""
+    """The columns of Measurement.row, with a line end."""
 class MeanEllipse:
-    """The mean of some presses. A standard error that nothing is known of is NaN."""
+    """Mean of several presses. An unknown standard error is NaN."""
 
     @property
     def half_major_mm(self) -> Estimate:
@@ -118,89 +118,89 @@ class MeanEllipse:
         """Ratio of the axes."""
     @property
     def direction_deg(self) -> Estimate:
-        """Of the major axis, from the right towards the head, in (-90, 90]; an sd of 52 says nothing."""
+        """Direction of the major axis, from the right towards the head, in (-90, 90]; with an sd of 52 it is undetermined."""
     @property
     def hardly_determined(self) -> bool:
-        """The direction's standard error is above 10 degrees, or the presses do not agree on it."""
+        """Whether the direction's standard error is above 10 degrees, or the presses disagree on it."""
     @property
     def resultant(self) -> float:
-        """How much the directions agree: 1 all alike, 0 not at all."""
+        """Agreement of the directions, from 0 (none) to 1 (all equal)."""
     @property
     def freedom(self) -> float:
-        """Degrees of freedom behind the errors; 0: not known."""
+        """Degrees of freedom of the errors; 0 if unknown."""
     @property
     def subjects(self) -> int:
-        """People."""
+        """Number of people."""
     @property
     def presses(self) -> int:
-        """Presses."""
+        """Number of presses."""
     def __repr__(self) -> str:
         ...
 
 class DragMean:
-    """The presses of one way of pulling."""
+    """Mean of the presses pulled in one direction."""
 
     @property
     def drag_deg(self) -> Optional[float]:
-        """That way, from the right towards the head; None: not said."""
+        """Direction of the pull, from the right towards the head; None if unknown."""
     @property
     def mean(self) -> MeanEllipse:
-        """Their mean."""
+        """Mean of these presses."""
     def __repr__(self) -> str:
         ...
 
 class PointMean:
-    """What all presses of a point say."""
+    """Mean of all presses at a point."""
 
     @property
     def name(self) -> str:
-        """Of the point."""
+        """Name of the point."""
     @property
     def place_mm(self) -> tuple[float, float]:
-        """On the map: right, headwards."""
+        """Place on the map, mm: right, headwards."""
     @property
     def drags(self) -> list[DragMean]:
-        """By the way the skin was pulled; at least one."""
+        """Means by direction of the pull; at least one."""
     @property
     def mean(self) -> MeanEllipse:
-        """Over the drags; the tissue's own where `along_drag` is known."""
+        """Mean over the drags; the tissue's own if `along_drag` is known."""
     @property
     def along_drag(self) -> Optional[Estimate]:
-        """By how much a drag stretches the ellipse along itself; None unless two drags 60 degrees or more
+        """Factor by which a drag stretches the ellipse along itself; None unless two drags 60 degrees or more
         apart were measured.
         """
     @property
     def half_major_4_mm(self) -> Optional[float]:
-        """Of the ellipse of 4 mm; None: not measured."""
+        """Half the major axis of the 4 mm ellipse; None if not measured."""
     @property
     def peak_mm(self) -> Optional[float]:
-        """Under the contact; None: not measured."""
+        """Motion under the contact, mm; None if not measured."""
     @property
     def stiffness_n_per_mm(self) -> Optional[float]:
-        """None: not measured."""
+        """Stiffness; None if not measured."""
     @property
     def mirrored_from(self) -> str:
-        """The point that this one mirrors; empty: measured."""
+        """Name of the point that this one mirrors; empty if measured."""
     @property
     def remark(self) -> str:
-        """What stands between the pulled direction and a word about the tissue; empty: nothing."""
+        """Reason why the direction may not be the tissue's own; empty for none."""
     def __repr__(self) -> str:
         ...
 
 class Averages:
-    """An ellipse a point, of several presses and people."""
+    """One ellipse per point, averaged over presses and people."""
 
     @property
     def points(self) -> list[PointMean]:
-        """In the order of the tables, then the mirrored ones."""
+        """Points in the order of the tables, then the mirrored ones."""
     def key_points(self, by_drag: bool = False) -> str:
-        """The table that maps are made of, as text; by_drag: a row a point and drag."""
+        """Table of key points for maps, as text; by_drag: one row per point and drag."""
     def __repr__(self) -> str:
         ...
 
 def average(tables: list[Union[str, Union[str, os.PathLike[str]]]], *, drag: Optional[Union[float, str]] = None, mirrors: dict[str, str] = {}, averaging: str = 'tensorial') -> Averages:
-    """Means of presses. tables: files (CSV), or texts of such a table; of several each is one person's where its
-    rows do not say. drag: only presses pulled that way, degrees or a word ("up"). mirrors: points that nobody
+    """Averages presses. tables: files (CSV), or texts of such tables; each of several is one person's if its
+    rows do not say. drag: only presses pulled that way, degrees or a word ("up"). mirrors: points that were not
     measured as mirror images, {from: to}. averaging: "tensorial", or "plain" as the dissertation prints.
     Raises Error with file and line, ValueError.
     """
@@ -209,19 +209,19 @@ class StencilSheet:
 
     @property
     def name(self) -> str:
-        """Of a tile, "r1c2": row and column; empty: the only one."""
+        """Row and column of a tile, e.g. "r1c2"; empty for a single sheet."""
     @property
     def svg(self) -> str:
-        """The drawing, in mm, to be printed at 100 %."""
+        """The drawing, in mm; print it at 100 %."""
     def __repr__(self) -> str:
         ...
 
 def stencil(*, spacing_mm: float = 30.0, columns: int = 11, rows: int = 13, hole_mm: float = 8.0, page: str = 'auto', scale_target: bool = False) -> list[StencilSheet]:
-    """The sheet to punch for the dots, at true size. spacing_mm: 5 to 100; columns, rows: 2 to 60; hole_mm:
+    """Stencil sheet for the dots, at true size. spacing_mm: 5 to 100; columns, rows: 2 to 60; hole_mm:
     less than half the spacing; page: "auto", "a4", "a3", "a2" or "tiled-a4"; scale_target: with a
     ruler of 100 mm. Raises Error for what is out of range or does not fit, ValueError.
     """
 def synthesize(seed: int, *, megapixels: float = 2.0, drift_mm: float = 0.3, tail: Optional[str] = None, half_major_mm: Optional[float] = None, ratio: Optional[float] = None, direction_deg: Optional[float] = None, drag_deg: Optional[float] = None, peak_mm: Optional[float] = None) -> tuple[numpy.typing.NDArray[numpy.uint8], numpy.typing.NDArray[numpy.uint8], numpy.typing.NDArray[numpy.uint8], dict[str, Any]]:
-    """Pictures before, before again and after a press, arrays (H, W, 3) of uint8, and the truth as a dict;
+    """Pictures before, again before and after a press, arrays (H, W, 3) of uint8, and the truth as a dict;
     palpate.measure.synthesize names them. Releases the GIL. Raises ValueError.
     """

@@ -17,4 +17,4 @@ def draw(world: palpate._core.World, skin: Any, touches: Any, size: tuple[int, i
 def save(file: Union[str, os.PathLike[str]], picture: Any) -> None:
     """Writes an array (H, W, 3) of uint8 as a PNG file. Raises ValueError, Error."""
 def _close() -> None:
-    """Ends the drawing thread; the next picture starts another."""
+    """Ends the drawing thread; the next picture starts a new one."""

@@ -191,7 +191,7 @@ void bindDevice(py::module_& module) {
       "forces from a loop of Python does it at his own risk: nothing here limits them,\n"
       "and the interpreter may be late. palpate.devices.drive and Loop limit them.")
       .def_property_readonly(
-          "name", [](const DeviceHandle& d) { return d.device.name; }, "As it was opened.")
+          "name", [](const DeviceHandle& d) { return d.device.name; }, "Name under which it was opened.")
       .def_property_readonly(
           "capabilities", capabilitiesOf,
           "dict: takes_force, max_force_n, continuous_force_n, nominal_stiffness_n_per_mm, rate_hz,\n"
@@ -199,7 +199,7 @@ void bindDevice(py::module_& module) {
       .def_property_readonly("state", readState,
                              "dict of what came with the last reading: velocity (3,) mm/s, buttons, faults and notes\n"
                              "(bits), age_ticks, trouble (words; empty: none).")
-      .def_readonly("tick", &DeviceHandle::tick, "Of the next reading.")
+      .def_readonly("tick", &DeviceHandle::tick, "Tick of the next reading.")
       .def(
           "read", readTip, py::arg("tick") = py::none(),
           "Its position (3,), mm in the body's frame; NaN where it has none now. tick: which of a script's positions;\n"
@@ -208,11 +208,11 @@ void bindDevice(py::module_& module) {
           "write", writeForce, py::arg("force"),
           "The force on the hand, three numbers, N; a device that only points drops it. Read before you write, once a\n"
           "tick. Raises ValueError.")
-      .def("close", closeDevice, "Zero force, and the driver is let go. Twice is as good as once.")
+      .def("close", closeDevice, "Sets zero force and releases the driver. Closing again has no effect.")
       .def(
-          "__enter__", [](DevicePointer device) { return device; }, "Itself.")
+          "__enter__", [](DevicePointer device) { return device; }, "Returns itself.")
       .def(
-          "__exit__", [](DeviceHandle& device, const py::args& /*error*/) { closeDevice(device); }, "Closes it.")
+          "__exit__", [](DeviceHandle& device, const py::args& /*error*/) { closeDevice(device); }, "Calls close().")
       .def("__repr__", [](const DeviceHandle& d) {
         return fmt::format("Device('{}'{})", d.device.name, d.open ? "" : ", closed");
       });
@@ -234,7 +234,7 @@ void bindDevices(py::module_& module) {
       "position. scale: mm of the body a mm of the device; origin_mm: where its origin lies in the body.\n"
       "Releases the GIL. Raises Error with the reason.");
   module.def("scripted_device", scripted, py::arg("tips"),
-             "A device that repeats tips (T, 3), mm, one a tick, and rests at the last. Raises ValueError, Error.");
+             "A device that plays tips (T, 3), mm, one per tick, and stays at the last. Raises ValueError, Error.");
   bindLoops(module);
 }
 

@@ -32,9 +32,8 @@ void raise(const Error& error) {
 
 void bindErrors(py::module_& module) {
   const char* doc =
-      "What cannot be loaded, built or used, in one line: `where: cause`.\n\n"
-      "file (str or None): the file, as it was named; line (int or None): counted from 1;\n"
-      "cause (str): the words without file and line.";
+      "Error while loading, building or using something, in one line: `where: cause`.\n\nfile (str or None): the file, "
+      "as it was named; line (int or None): counted from 1;\ncause (str): the words without file and line.";
   const py::object none = py::none();
   const py::dict members;
   members["file"] = none;

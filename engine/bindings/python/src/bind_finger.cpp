@@ -64,35 +64,31 @@ FingerSettings replaced(FingerSettings settings, const py::kwargs& changes) {
 
 /// In the order of contact::kFingerFields, the flag at its end left out.
 constexpr std::array kNumberDocs = {"Radius of the finger, mm; 0 is a point.",
-                                    "Tangential over normal stiffness.",
-                                    "Friction before it slips.",
-                                    "Friction while it slips.",
-                                    "The deepest depth that is felt, mm.",
-                                    "Time between two ticks, s.",
-                                    "How fast the point on the skin may run beside the tip, mm/s.",
-                                    "Of the force, what goes while the skin is held.",
-                                    "Over which time it goes, s.",
-                                    "The same of a second term.",
-                                    "Time of the second term, s."};
+                                    "Tangential divided by normal stiffness.",
+                                    "Coefficient of static friction.",
+                                    "Coefficient of friction while slipping.",
+                                    "Maximum depth that is felt, mm.",
+                                    "Length of a tick, s.",
+                                    "Maximum speed of the point on the skin relative to the tip, mm/s.",
+                                    "Fraction of the force that relaxes during a hold.",
+                                    "Time constant of the relaxation, s.",
+                                    "Fraction of a second relaxation term.",
+                                    "Time constant of the second term, s."};
 static_assert(kNumberDocs.size() + 1 == contact::kFingerFields.size() && contact::kFingerFields.back().is_flag);
 
 void bindSettings(py::module_& module) {
   const FingerSettings usual;
   py::class_<FingerSettings> settings(
       module, "FingerSettings",
-      "What a finger is: a point or a ball, and how it rubs. Checked when made; it never changes, `replace` makes "
-      "another.\n\n"
-      "radius_mm: 0 is a point, 8 a fingertip (0 to 1,000)\n"
-      "stiffness_ratio: tangential over normal stiffness (0 to 100)\n"
-      "mu_static, mu_dynamic: friction, mu_dynamic at most mu_static (0 to 5)\n"
-      "max_depth_mm: deeper than this the force no longer grows (above 0, to 100,000)\n"
-      "tick_s: time between two ticks, s (1e-6 to 1)\n"
-      "catch_up_mm_per_s: how fast the point on the skin may run beside the tip (0 to 1,000,000)\n"
-      "relaxation_share, relaxation_time_s, relaxation_share_2, relaxation_time_2_s: of the force, what goes while "
-      "the\n"
-      "    skin is held, and over which times, s; the shares together at most 0.9\n"
-      "force_shading: rounds off facets of coarse meshes; a point only\n\n"
-      "Raises palpate.Error for a number that makes no sense or is out of range.");
+      "Settings of a finger: radius, stiffness, friction, relaxation. Checked on creation; immutable, `replace` makes "
+      "a changed copy.\n\nradius_mm: 0 is a point, 8 a fingertip (0 to 1,000)\nstiffness_ratio: tangential over normal "
+      "stiffness (0 to 100)\nmu_static, mu_dynamic: friction, mu_dynamic at most mu_static (0 to 5)\nmax_depth_mm: "
+      "deeper than this the force no longer grows (above 0, to 100,000)\ntick_s: time between two ticks, s (1e-6 to "
+      "1)\ncatch_up_mm_per_s: how fast the point on the skin may run beside the tip (0 to "
+      "1,000,000)\nrelaxation_share, relaxation_time_s, relaxation_share_2, relaxation_time_2_s: of the force, what "
+      "goes while the\n    skin is held, and over which times, s; the shares together at most 0.9\nforce_shading: "
+      "rounds off facets of coarse meshes; a point only\n\nRaises palpate.Error for a number that makes no sense or is "
+      "out of range.");
   settings.def(
       py::init([](double radius_mm, double stiffness_ratio, double mu_static, double mu_dynamic, double max_depth_mm,
                   double tick_s, double catch_up_mm_per_s, double share, double time_s, double share_2, double time_2_s,
@@ -109,7 +105,7 @@ void bindSettings(py::module_& module) {
         engine::checkFinger(made);
         return made;
       }),
-      "All by name; what is left out has its usual value. Raises palpate.Error.", py::kw_only(),
+      "Keyword arguments only; omitted ones have their default. Raises palpate.Error.", py::kw_only(),
       py::arg("radius_mm") = usual.radius_mm, py::arg("stiffness_ratio") = usual.stiffness_ratio,
       py::arg("mu_static") = usual.mu_static, py::arg("mu_dynamic") = usual.mu_dynamic,
       py::arg("max_depth_mm") = usual.max_depth_mm, py::arg("tick_s") = usual.tick_s,
@@ -123,16 +119,17 @@ void bindSettings(py::module_& module) {
   }
   settings.def_property_readonly(
       "force_shading", [](const FingerSettings& self) { return self.force_shading; },
-      "True where facets are rounded off.");
+      "Whether the force is smoothed over coarse triangles.");
   settings.def("replace", &replaced,
-               "The same with some numbers changed, named as in the constructor. Raises TypeError for a name that is "
-               "none, palpate.Error for a number that makes no sense.");
-  settings.def("__repr__", &formatRepr, "As the constructor would be called.");
+               "A copy with some values changed, named as in the constructor. Raises TypeError for an unknown name, "
+               "palpate.Error for a value out of range.");
+  settings.def("__repr__", &formatRepr, "The call of the constructor.");
   settings.def(
       "__eq__", [](const FingerSettings& self, const FingerSettings& other) { return equal(self, other); },
-      py::is_operator(), "True where all numbers are the same.");
+      py::is_operator(), "Whether all values are equal.");
   settings.def(
-      "__hash__", [](const FingerSettings& self) { return py::hash(py::str(formatRepr(self))); }, "Of all its numbers.");
+      "__hash__", [](const FingerSettings& self) { return py::hash(py::str(formatRepr(self))); },
+      "Hash of all values.");
 }
 
 // ---- what was felt
@@ -153,26 +150,26 @@ int signedIndex(Index index) { return std::bit_cast<std::int32_t>(index); }
 
 void bindTouch(py::module_& module) {
   py::class_<FingerOutput> touch(
-      module, "Touch",
-      "What a finger felt in one tick: a snapshot that never changes. Arrays are read-only views of it.");
-  touch.def_property_readonly("force", pointIn<&FingerOutput::force>, "(3,) on the finger, N.");
-  touch.def_property_readonly("tip", pointIn<&FingerOutput::tip>, "(3,) where the finger is, mm.");
+      module, "Touch", "Contact of a finger in one tick: an immutable snapshot. Arrays are read-only views of it.");
+  touch.def_property_readonly("force", pointIn<&FingerOutput::force>, "(3,) force on the finger, N.");
+  touch.def_property_readonly("tip", pointIn<&FingerOutput::tip>, "(3,) position of the finger, mm.");
   touch.def_property_readonly("proxy", pointIn<&FingerOutput::proxy>,
-                              "(3,) the point of the skin that it presses, mm; the tip when free.");
+                              "(3,) point on the skin that it presses, mm; the tip when free.");
   touch.def_property_readonly("anchor", pointIn<&FingerOutput::anchor>,
-                              "(3,) the point of the skin that friction holds, mm; the tip when free.");
+                              "(3,) point on the skin held by friction, mm; the tip when free.");
   touch.def_property_readonly("hold", pointIn<&FingerOutput::hold>,
-                              "(3,) where friction holds the tip, a point in space, mm; the tip when free.");
-  touch.def_property_readonly("normal", pointIn<&FingerOutput::normal>, "(3,) unit, out of the skin; zeros when free.");
+                              "(3,) point in space where friction holds the tip, mm; the tip when free.");
+  touch.def_property_readonly("normal", pointIn<&FingerOutput::normal>,
+                              "(3,) unit normal, out of the skin; zeros when free.");
   touch.def_property_readonly(
       "depth_mm", [](const FingerOutput& self) { return self.depth_mm; }, "Depth along the normal, mm; 0 when free.");
   touch.def_property_readonly(
       "tissue_mm", [](const FingerOutput& self) { return self.tissue_mm; },
-      "Thickness over the bone under the finger as it is felt, more over a narrow one, mm; 0 when free and where it is "
-      "not known.");
+      "Effective tissue thickness over the bone under the finger, larger over a narrow one, mm; 0 when free or "
+      "unknown.");
   touch.def_property_readonly(
       "rest_mm", [](const FingerOutput& self) { return self.rest_mm; },
-      "Effective depth at which the skin under the finger would stay by itself, mm.");
+      "Effective depth at which the skin under the finger would stay without force, mm.");
   touch.def_property_readonly(
       "state", [](const FingerOutput& self) { return touchName(self.touch); }, "'free', 'stick' or 'slip'.");
   touch.def_property_readonly(
@@ -186,24 +183,24 @@ void bindTouch(py::module_& module) {
       "Bits: 1 tip lost (not finite or absurdly far: no force), 2 catching up, 4 too deep, 8 letting go, 16 at the "
       "border, 32 started inside, 64 unsettled, 128 shading failed (docs/explanation/contact.md).");
   touch.def_property_readonly(
-      "radius_mm", [](const FingerOutput& self) { return self.finger_mm; }, "Of the finger, mm; 0: a point.");
+      "radius_mm", [](const FingerOutput& self) { return self.finger_mm; }, "Radius of the finger, mm; 0 is a point.");
   touch.def_property_readonly("lump_force", pointIn<&FingerOutput::lump_force>,
-                              "(3,) of `force`, what the lumps under the skin add, N.");
+                              "(3,) part of `force` added by the lumps under the skin, N.");
   touch.def_property_readonly(
       "lump_share", [](const FingerOutput& self) { return self.lump_share; },
-      "Their normal force over that of the press without them; 0 where that is 0.");
+      "Normal force of the lumps divided by that of the press without them; 0 where that is 0.");
   touch.def_property_readonly(
       "lump", [](const FingerOutput& self) { return signedIndex(self.lump); },
-      "Of the lumps that move and are felt the nearest, by its place in World.lumps; -1: none.");
+      "Index in World.lumps of the nearest movable lump that is felt; -1 for none.");
   touch.def_property_readonly("lump_moved", pointIn<&FingerOutput::lump_moved_mm>,
-                              "(2,) how far that one is from its place, mm across and up.");
+                              "(2,) displacement of that lump from its place, mm across and up.");
   touch.def(
       "__repr__",
       [](const FingerOutput& self) {
         return fmt::format("<Touch: {}, {:.4g} N, {:.4g} mm deep{}>", touchName(self.touch), self.force.norm(),
                            self.depth_mm, self.status == 0 ? "" : fmt::format(", status {}", self.status));
       },
-      "In a few words.");
+      "Short description.");
 }
 
 // ---- the finger
@@ -271,38 +268,36 @@ PyObject* step(PyObject* self, PyObject* const* given, Py_ssize_t count) {
 
 // In pybind11's form of signatures: the stubs are made from them.
 constexpr const char* kStepDoc =
-    "step(*args, **kwargs)\nOverloaded function.\n\n"
-    "1. step(self: palpate._core.Finger, tip: numpy.typing.ArrayLike) -> palpate._core.Touch\n\n"
-    "One tick with the tip (3,) here, mm; FingerSettings.tick_s after the last. A ball's tip is its centre.\n\n"
-    "An array of float64 is fastest. A tip that is not finite is lost: status 1, no force, and the finger stays as it "
-    "was.\nRaises TypeError for what is not a number, ValueError for another shape. The interpreter's lock is kept.\n\n"
-    "2. step(self: palpate._core.Finger, x: float, y: float, z: float) -> palpate._core.Touch\n\n"
-    "The same with three numbers.";
+    "step(*args, **kwargs)\nOverloaded function.\n\n1. step(self: palpate._core.Finger, tip: numpy.typing.ArrayLike) "
+    "-> palpate._core.Touch\n\nOne tick with the tip at (3,), mm, FingerSettings.tick_s after the last. A ball's tip "
+    "is its centre.\n\nAn array of float64 is fastest. A tip that is not finite is lost: status 1, no force, and the "
+    "finger stays as it was.\nRaises TypeError for what is not a number, ValueError for another shape. The "
+    "interpreter's lock is kept.\n\n2. step(self: palpate._core.Finger, x: float, y: float, z: float) -> "
+    "palpate._core.Touch\n\nThe same with three coordinates.";
 PyMethodDef step_method = {"step", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(&step)), METH_FASTCALL,
                            kStepDoc};
 
 void bindFingerClass(py::module_& module) {
-  py::class_<FingerHandle> finger(
-      module, "Finger", "One finger on a world, one tick a call. Keeps its world. Use each from one thread at a time.");
-  finger.def(
-      py::init([](const WorldPointer& world, const MaybeSettings& settings) {
-        const auto checked = settingsOf(*world->world, settings, 1);
-        return FingerHandle{world, std::move(engine::fingersOn(*world->world, checked).front())};
-      }),
-      "settings: a FingerSettings, or None for the scene's first finger. Raises palpate.Error where they and the "
-      "world do not suit.",
-      py::arg("world"), py::arg("settings") = py::none());
+  py::class_<FingerHandle> finger(module, "Finger",
+                                  "One finger on a world, one tick per call. Keeps its world alive. Not thread-safe.");
+  finger.def(py::init([](const WorldPointer& world, const MaybeSettings& settings) {
+               const auto checked = settingsOf(*world->world, settings, 1);
+               return FingerHandle{world, std::move(engine::fingersOn(*world->world, checked).front())};
+             }),
+             "settings: a FingerSettings, or None for the scene's first finger. Raises palpate.Error if they do not "
+             "suit the world.",
+             py::arg("world"), py::arg("settings") = py::none());
   finger.def_property_readonly(
-      "world", [](const FingerHandle& self) { return self.world; }, "The world it feels.");
+      "world", [](const FingerHandle& self) { return self.world; }, "The world that it touches.");
   finger.def_property_readonly(
-      "settings", [](const FingerHandle& self) { return self.finger.settings; }, "What it is.");
+      "settings", [](const FingerHandle& self) { return self.finger.settings; }, "Its settings.");
   finger.def(
       "lift", [](FingerHandle& self) { self.finger.lift(); },
-      "The finger leaves: its next tip may be anywhere, and nothing between here and there is touched.");
+      "Lifts the finger. The next tip may be anywhere; the motion in between makes no contact.");
   finger.def(
       "reset", [](FingerHandle& self) { self.finger.reset(); },
-      "As when it was made: `lift`, its clock starts again, which counts on a body that breathes, and lumps that it "
-      "moved are back.");
+      "Resets to the initial state: lifts the finger, restarts its clock (for a breathing body) and puts moved lumps "
+      "back.");
   const auto descriptor =
       py::reinterpret_steal<py::object>(PyDescr_NewMethod(reinterpret_cast<PyTypeObject*>(finger.ptr()), &step_method));
   if (!descriptor) throw py::error_already_set();
@@ -325,7 +320,8 @@ void bindFinger(py::module_& module) {
   world.def(
       "finger_settings",
       [](const WorldHandle& self, std::size_t n) { return engine::fingerSettings(self.world->scene, n); },
-      "List of n FingerSettings: the scene's own in their order, then points with its friction.", py::arg("n") = 1);
+      "List of n FingerSettings: the scene's fingers in order, then point fingers with its friction.",
+      py::arg("n") = 1);
   bindTouch(module);
   bindFingerClass(module);
 }

@@ -151,48 +151,43 @@ class FingersHandle {
 void bindFingers(py::module_& module) {
   py::class_<FingersHandle> fingers(
       module, "Fingers",
-      "A batch of fingers on one world that persist between calls.\n\nOne call at a time: a second, from another "
-      "thread, raises "
-      "RuntimeError. After a fork the child may use it, threads and all. `with` closes it.");
+      "A batch of fingers on one world; they keep their state between calls.\n\nOne call at a time: a second, from "
+      "another thread, raises RuntimeError. After a fork the child may use it, threads and all. `with` closes it.");
   fingers.def(
       py::init([](const WorldPointer& world, std::size_t count, const MaybeSettings& settings, std::size_t threads) {
         if (count == 0) throw py::value_error("n: must be at least 1");
         if (threads == 0) throw py::value_error("threads: must be at least 1");
         return std::make_unique<FingersHandle>(world, count, settings, threads);
       }),
-      "n fingers; settings: None for the scene's, a FingerSettings for all, or a sequence of n; threads: share a "
-      "call's work where it is more than 5,000 ticks. Raises palpate.Error where settings and world do not suit.",
+      "n fingers; settings: None for the scene's, a FingerSettings for all, or a sequence of n; threads: share the "
+      "work of a call above 5,000 ticks. Raises palpate.Error if the settings do not suit the world.",
       py::arg("world"), py::arg("n"), py::kw_only(), py::arg("settings") = py::none(), py::arg("threads") = 1);
-  fingers.def(
-      "step", &FingersHandle::step,
-      "Moves every finger to its tip (n, 3), mm, and answers what it felt in its last tick.\n\n"
-      "substeps: ticks that the way takes, in a straight line from where the finger was sent last: tick k is at from + "
-      "(to - from) * (k / substeps)\nfields, out: as for World.rollout, arrays (n, ...)\n\n"
-      "Arrays are fresh unless `out` is given. The interpreter's lock is released, Ctrl-C interrupts: some "
-      "fingers have moved then. Raises RuntimeError while another call is at work, ValueError for shapes.",
-      py::arg("tips"), py::kw_only(), py::arg("substeps") = 1, py::arg("fields") = py::none(),
-      py::arg("out") = py::none());
-  fingers.def(
-      "reset", &FingersHandle::reset,
-      "Those with True in mask (n,), all for None, are as when they were made. Raises RuntimeError, ValueError.",
-      py::arg("mask") = py::none());
-  fingers.def(
-      "lift", &FingersHandle::lift,
-      "Those with True in mask (n,), all for None, leave: their next tips may be anywhere. Raises RuntimeError, "
-      "ValueError.",
-      py::arg("mask") = py::none());
-  fingers.def(
-      "touches", &FingersHandle::touches,
-      "A list of n Touch of the last ticks, for Skin.apply. Raises RuntimeError while another call is at work.");
+  fingers.def("step", &FingersHandle::step,
+              "Moves every finger to its tip (n, 3), mm, and returns its contact in the last tick.\n\nsubsteps: ticks "
+              "that the way takes, in a straight line from where the finger was sent last: tick k is at from + (to - "
+              "from) * (k / substeps)\nfields, out: as for World.rollout, arrays (n, ...)\n\nArrays are fresh unless "
+              "`out` is given. The interpreter's lock is released, Ctrl-C interrupts: some fingers have moved then. "
+              "Raises RuntimeError while another call is at work, ValueError for shapes.",
+              py::arg("tips"), py::kw_only(), py::arg("substeps") = 1, py::arg("fields") = py::none(),
+              py::arg("out") = py::none());
+  fingers.def("reset", &FingersHandle::reset,
+              "Resets the fingers with True in mask (n,), or all for None. Raises RuntimeError, ValueError.",
+              py::arg("mask") = py::none());
+  fingers.def("lift", &FingersHandle::lift,
+              "Lifts the fingers with True in mask (n,), or all for None; their next tips may be anywhere. Raises "
+              "RuntimeError, ValueError.",
+              py::arg("mask") = py::none());
+  fingers.def("touches", &FingersHandle::touches,
+              "List of the n Touch of the last ticks, for Skin.apply. Raises RuntimeError during another call.");
   fingers.def("close", &FingersHandle::close,
-              "Ends its threads. Whatever is asked of it afterwards raises ValueError; closed again is closed.");
+              "Ends its threads. Later calls raise ValueError; closing again has no effect.");
   fingers.def(
-      "__enter__", [](const py::object& self) { return self; }, "Itself.");
+      "__enter__", [](const py::object& self) { return self; }, "Returns itself.");
   fingers.def(
-      "__exit__", [](FingersHandle& self, const py::args&) { self.close(); }, "close().");
-  fingers.def("__len__", &FingersHandle::size, "How many fingers there are.");
-  fingers.def_property_readonly("world", &FingersHandle::world, "The world they feel.");
-  fingers.def_property_readonly("threads", &FingersHandle::threads, "Threads that share a call's work.");
+      "__exit__", [](FingersHandle& self, const py::args&) { self.close(); }, "Calls close().");
+  fingers.def("__len__", &FingersHandle::size, "Number of fingers.");
+  fingers.def_property_readonly("world", &FingersHandle::world, "The world that they touch.");
+  fingers.def_property_readonly("threads", &FingersHandle::threads, "Number of threads that share the work of a call.");
 }
 
 }  // namespace palpate::python

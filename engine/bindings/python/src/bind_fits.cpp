@@ -45,15 +45,15 @@ NumbersByName byName(const std::vector<FittedNumber>& numbers) {
 }
 
 void bindNumber(py::module_& module) {
-  py::class_<FittedNumber>(module, "FittedNumber",
-                           "A number that a fit found, and how sure it is. float() gives its value.")
+  py::class_<FittedNumber>(module, "FittedNumber", "A fitted number with its standard error. float() gives its value.")
       .def_property_readonly(
           "name", [](const FittedNumber& n) { return std::string(n.name); },
-          "What it is called; a scene's key where there is one.")
-      .def_readonly("value", &FittedNumber::value, "The number.")
+          "Its name; the key of a scene if there is one.")
+      .def_readonly("value", &FittedNumber::value, "The value.")
       .def_readonly("standard_error", &FittedNumber::standard_error,
-                    "NaN: too few rows to tell; 0: at the end of its range, or not asked for.")
-      .def_readonly("at_end", &FittedNumber::at_end, "At the end of its range: what the rows want may lie beyond.")
+                    "Standard error; NaN for too few rows; 0 at the end of its range, or if not fitted.")
+      .def_readonly("at_end", &FittedNumber::at_end,
+                    "Whether it is at the end of its range; the best value may be beyond.")
       .def(
           "__float__", [](const FittedNumber& n) { return n.value; }, "The value.")
       .def("__repr__", [](const FittedNumber& n) {
@@ -73,22 +73,22 @@ FloatArray evaluateForces(const ForceFit& fit, const ArrayLike& depth_mm) {
 }
 
 void bindForceFit(py::module_& module) {
-  py::class_<ForceFit>(module, "ForceFit", "A force law fitted to force by depth: F = k h(depth), h(8 mm) = 8 mm.")
+  py::class_<ForceFit>(module, "ForceFit", "A force law fitted to measured forces: F = k h(depth), h(8 mm) = 8 mm.")
       .def_property_readonly(
           "form", [](const ForceFit& f) { return std::string(nameOf(f.form)); },
           "\"linear\", \"power\", \"stiffening\", \"cubic\" or \"measured\".")
-      .def_readonly("secant", &ForceFit::secant, "k, N/mm: what a stiffness map means.")
+      .def_readonly("secant", &ForceFit::secant, "k, N/mm: the value of a stiffness map.")
       .def_property_readonly(
           "numbers", [](const ForceFit& f) { return byName(f.numbers); },
-          "The form's numbers by name: exponent, stiffening_ratio ...")
-      .def_readonly("offset", &ForceFit::offset, "Where the skin is met, mm below the table's 0.")
-      .def_readonly("law", &ForceFit::law, "The Law with these numbers; a table where the engine has no such form.")
+          "Parameters of the form by name: exponent, stiffening_ratio ...")
+      .def_readonly("offset", &ForceFit::offset, "Depth at which the skin is met, mm below the table's 0.")
+      .def_readonly("law", &ForceFit::law, "The Law with these parameters; a table if the engine has no such form.")
       .def_readonly("rms", &ForceFit::rms, "RMS of (fit - F) / max(F, 0.3 F_max), a fraction.")
-      .def_readonly("unseen_rms", &ForceFit::unseen_rms, "The same of rows left out of the fit, a fifth at a time.")
-      .def_readonly("rows", &ForceFit::rows, "How many were fitted.")
-      .def_readonly("deepest_mm", &ForceFit::deepest_mm, "From the contact; beyond it the law is a guess.")
-      .def("force", evaluateForces, py::arg("depth_mm"),
-           "N at depths as the curve counts them; an array of their shape.")
+      .def_readonly("unseen_rms", &ForceFit::unseen_rms, "RMS for rows left out of the fit, a fifth at a time.")
+      .def_readonly("rows", &ForceFit::rows, "Number of fitted rows.")
+      .def_readonly("deepest_mm", &ForceFit::deepest_mm,
+                    "Largest fitted depth from the contact, mm; beyond it the law is an extrapolation.")
+      .def("force", evaluateForces, py::arg("depth_mm"), "Force, N, at depths of the curve; an array of their shape.")
       .def("__repr__", [](const ForceFit& f) {
         return fmt::format("ForceFit({}, {:.4g} N/mm, unseen {:.1f} %)", nameOf(f.form), f.secant.value,
                            100.0 * f.unseen_rms);
@@ -127,24 +127,26 @@ FloatArray evaluateShares(const ProfileFit& fit, const ArrayLike& r_mm, double (
 }
 
 void bindProfileFit(py::module_& module) {
-  py::class_<ProfileFit>(module, "ProfileFit", "The shape of pressed skin: it goes down by surface_mm * down(r).")
+  py::class_<ProfileFit>(module, "ProfileFit", "Fitted shape of pressed skin: it moves down by surface_mm * down(r).")
       .def_property_readonly(
           "form", [](const ProfileFit& f) { return std::string(nameOf(f.form)); },
           "\"half_gaussian\", \"power_tail\", \"two_gaussians\" or \"measured\".")
-      .def_readonly("depth_mm", &ProfileFit::depth_mm, "Of the indenter.")
-      .def_readonly("surface_mm", &ProfileFit::surface_mm, "u0: of the skin on the axis.")
+      .def_readonly("depth_mm", &ProfileFit::depth_mm, "Depth of the indenter, mm.")
+      .def_readonly("surface_mm", &ProfileFit::surface_mm, "u0: depth of the skin on the axis, mm.")
       .def_property_readonly(
           "numbers", [](const ProfileFit& f) { return byName(f.numbers); },
-          "The form's numbers by name: radius_mm, exponent ...")
-      .def_readonly("rms", &ProfileFit::rms, "Of the way down, a fraction of surface_mm, within 40 mm.")
-      .def_readonly("unseen_rms", &ProfileFit::unseen_rms, "The same of places left out of the fit.")
+          "Parameters of the form by name: radius_mm, exponent ...")
+      .def_readonly("rms", &ProfileFit::rms, "RMS of the downward motion, as a fraction of surface_mm, within 40 mm.")
+      .def_readonly("unseen_rms", &ProfileFit::unseen_rms, "RMS for places left out of the fit.")
       .def(
           "down", [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::downShare); },
-          py::arg("r_mm"), "Share of surface_mm at distances from the axis at rest, mm; an array of their shape.")
+          py::arg("r_mm"),
+          "Downward motion as a fraction of surface_mm, at distances from the axis at rest, mm; an array of their "
+          "shape.")
       .def(
           "outward",
           [](const ProfileFit& f, const ArrayLike& r_mm) { return evaluateShares(f, r_mm, tissue::outwardShare); },
-          py::arg("r_mm"), "The same of the motion away from the axis; 0 where it was not measured.")
+          py::arg("r_mm"), "Motion away from the axis as a fraction of surface_mm; 0 if not measured.")
       .def("__repr__", [](const ProfileFit& f) {
         return fmt::format("ProfileFit({}, {:.3g} mm deep, unseen {:.2f} %)", nameOf(f.form), f.depth_mm,
                            100.0 * f.unseen_rms);
@@ -225,11 +227,11 @@ void bindFits(py::module_& module) {
         if (fits.empty()) throw py::value_error("fits: at least one is required");
         return tissue::bestOf(fits);
       },
-      py::arg("fits"), "The form that foretells unseen rows best; of those nearly as good the simplest.");
+      py::arg("fits"), "The form that predicts unseen rows best; the simplest of those nearly as good.");
   module.def("fit_shared_force", fitShared, py::arg("curves"), py::arg("form"), py::kw_only(),
              py::arg("free_offset") = false,
-             "One shape for several places, each with a stiffness of its own: pairs (depth_mm, force_n).\n"
-             "Raises ValueError, Error.");
+             "One shape for several places, each with its own stiffness: pairs (depth_mm, force_n).\nRaises "
+             "ValueError, Error.");
   module.def("fit_profiles", fitProfiles, py::arg("depth_mm"), py::arg("r_mm"), py::arg("down_mm"),
              py::arg("outward_mm") = py::none(),
              "All forms of pressed skin fitted to places (N,) under one depth of the indenter; at least six radii.\n"

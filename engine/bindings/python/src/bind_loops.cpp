@@ -101,7 +101,7 @@ void bindHandLoop(py::module_& module) {
             if (finger >= loop.fingers()) throw py::index_error("finger: number out of range");
             loop.lift(finger);
           },
-          py::arg("finger") = 0, "The finger is put elsewhere: it forgets what it touched.")
+          py::arg("finger") = 0, "Lifts the finger; the next tip may be anywhere.")
       .def(
           "mark",
           [](HandLoop& loop, const std::string& text) {
@@ -109,22 +109,23 @@ void bindHandLoop(py::module_& module) {
             requireOpen(loop);
             loop.mark(text);
           },
-          py::arg("text"), "A mark at the newest tick of the session. Raises ValueError where none is recorded.")
-      .def_property_readonly("device_forces", deviceForces,
-                             "What the devices were sent in the last tick (F, 3), N: the contact's force, limited.")
-      .def_property_readonly("ticks", &HandLoop::ticks, "How many there were.")
+          py::arg("text"), "Sets a mark at the newest tick of the session. Raises ValueError if none is recorded.")
+      .def_property_readonly(
+          "device_forces", deviceForces,
+          "Forces sent to the devices in the last tick (F, 3), N: the contact force after the safety limits.")
+      .def_property_readonly("ticks", &HandLoop::ticks, "Number of ticks so far.")
       .def(
           "close", [](HandLoop& loop) { closeLoop(loop, "done"); },
-          "Zero force; devices are given back, the session is finished under its name.")
+          "Sets zero force, returns the devices and completes the session file.")
       .def(
           "__enter__", [](HandLoop& loop) -> HandLoop& { return loop; }, py::return_value_policy::reference_internal,
-          "Itself.")
+          "Returns itself.")
       .def(
           "__exit__",
           [](HandLoop& loop, const py::object& type, const py::args& /*error*/) {
             closeLoop(loop, type.is_none() ? "done" : "an exception");
           },
-          "Closes it.");
+          "Calls close().");
 }
 
 // --- by the servo thread --------------------------------------------------------------------------------------------

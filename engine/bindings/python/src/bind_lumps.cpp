@@ -117,43 +117,42 @@ void bindLump(py::module_& module) {
   const LumpSettings usual;
   py::class_<LumpSettings> lump(
       module, "Lump",
-      "Something under the skin: a node, a cyst, a hard band. Checked when made; it never changes.\n\n"
-      "at: the skin over its middle, by name (\"T9 right 30 mm\") or x, y, mm, seen along z\n"
-      "depth_mm: of its top under the skin at rest, along the normal; at least 0.5 mm under the skin's own layer\n"
-      "diameter_mm: of a ball (2 to 40; 10), or half_axes_mm: across, across (the same), into the body (1 to 20)\n"
-      "stiffness_ratio: over the layer at its centre (0.2 to 1,000; 5), or young_kpa: Young's modulus\n"
-      "edge: share of the radius over which its modulus falls to the tissue's; 0 is sharp (0 to 1)\n"
-      "mobility_mm_per_n: how far it moves under 1 N sideways (0.1 to 100); 0 is fixed\n"
-      "mobility_limit_mm: it moves no farther from its place (above 0, to 100)\n"
-      "raise_mm: how far the skin over it is raised at rest (0 to 10)\n"
-      "name: different for each lump of a world; \"\": lump1, lump2, ...\n\n"
-      "Raises palpate.Error for a number that is out of range. Whether there is room for it is known when a world is "
-      "built.");
-  lump.def(
-      py::init(&makeLump), "All by name. Raises palpate.Error, ValueError for shapes.", py::kw_only(), py::arg("at"),
-      py::arg("depth_mm") = usual.depth_mm, py::arg("diameter_mm") = py::none(), py::arg("half_axes_mm") = py::none(),
-      py::arg("stiffness_ratio") = py::none(), py::arg("young_kpa") = py::none(), py::arg("edge") = usual.edge,
-      py::arg("mobility_mm_per_n") = usual.mobility_mm_per_n, py::arg("mobility_limit_mm") = usual.mobility_limit_mm,
-      py::arg("raise_mm") = usual.raise_mm, py::arg("name") = "");
+      "A lump under the skin: a node, a cyst, a hard band. Checked on creation; immutable.\n\nat: the skin over its "
+      "middle, by name (\"T9 right 30 mm\") or x, y, mm, seen along z\ndepth_mm: of its top under the skin at rest, "
+      "along the normal; at least 0.5 mm under the skin's own layer\ndiameter_mm: of a ball (2 to 40; 10), or "
+      "half_axes_mm: across, across (the same), into the body (1 to 20)\nstiffness_ratio: over the layer at its centre "
+      "(0.2 to 1,000; 5), or young_kpa: Young's modulus\nedge: share of the radius over which its modulus falls to the "
+      "tissue's; 0 is sharp (0 to 1)\nmobility_mm_per_n: how far it moves under 1 N sideways (0.1 to 100); 0 is "
+      "fixed\nmobility_limit_mm: it moves no farther from its place (above 0, to 100)\nraise_mm: how far the skin over "
+      "it is raised at rest (0 to 10)\nname: different for each lump of a world; \"\": lump1, lump2, ...\n\nRaises "
+      "palpate.Error for a number that is out of range. Whether there is room for it is known when a world is built.");
+  lump.def(py::init(&makeLump), "Keyword arguments only. Raises palpate.Error, or ValueError for wrong shapes.",
+           py::kw_only(), py::arg("at"), py::arg("depth_mm") = usual.depth_mm, py::arg("diameter_mm") = py::none(),
+           py::arg("half_axes_mm") = py::none(), py::arg("stiffness_ratio") = py::none(),
+           py::arg("young_kpa") = py::none(), py::arg("edge") = usual.edge,
+           py::arg("mobility_mm_per_n") = usual.mobility_mm_per_n,
+           py::arg("mobility_limit_mm") = usual.mobility_limit_mm, py::arg("raise_mm") = usual.raise_mm,
+           py::arg("name") = "");
   lump.def_property_readonly(
-      "name", [](const LumpSettings& self) { return self.name; }, "As it was given.");
+      "name", [](const LumpSettings& self) { return self.name; }, "Name as given.");
   lump.def_property_readonly(
       "at",
       [](const LumpSettings& self) {
         return PlaceLike(self.at.empty() ? py::object(py::make_tuple(self.x_mm, self.y_mm)) : py::str(self.at));
       },
-      "The skin over its middle: words, or x and y, mm.");
+      "Place on the skin above its centre: a name, or x and y, mm.");
   lump.def_property_readonly(
-      "depth_mm", [](const LumpSettings& self) { return self.depth_mm; }, "Of its top under the skin at rest.");
+      "depth_mm", [](const LumpSettings& self) { return self.depth_mm; },
+      "Depth of its top below the skin at rest, mm.");
   lump.def_property_readonly(
       "half_axes_mm", [](const LumpSettings& self) { return toArray(self.halfAxes()); },
-      "(3,) across, across, into the body, mm.");
-  lump.def("__repr__", &lumpRepr, "As the constructor would be called.");
+      "(3,) half axes: across, across, into the body, mm.");
+  lump.def("__repr__", &lumpRepr, "The call of the constructor.");
   lump.def(
       "__eq__", [](const LumpSettings& self, const LumpSettings& other) { return lumpRepr(self) == lumpRepr(other); },
-      py::is_operator(), "True where all of it is the same.");
+      py::is_operator(), "Whether all values are equal.");
   lump.def(
-      "__hash__", [](const LumpSettings& self) { return py::hash(py::str(lumpRepr(self))); }, "Of all its numbers.");
+      "__hash__", [](const LumpSettings& self) { return py::hash(py::str(lumpRepr(self))); }, "Hash of all values.");
 }
 
 std::vector<LumpSettings> settingsOfLumps(const MaybeLumps& given) {
@@ -239,14 +238,14 @@ void bindLumps(py::module_& module) {
   bindLump(module);
   auto world = py::reinterpret_borrow<py::class_<WorldHandle, WorldPointer>>(module.attr("World"));
   world.def(py::init(&newWorld),
-            "A built-in body with lumps under its skin. body: 'trunk' or 'torso'; triangles: of skin and bones "
-            "together, 0: as many as usual. Raises palpate.Error for a lump that cannot be where it should.",
+            "A built-in body with lumps under its skin. body: 'trunk' or 'torso'; triangles: number in skin and bones, "
+            "0 for the default. Raises palpate.Error for a lump that cannot be at its place.",
             py::kw_only(), py::arg("lumps") = py::none(), py::arg("body") = "trunk", py::arg("triangles") = 0);
-  world.def("with_lumps", &withLumps,
-            "The same body with these lumps and no others, in some 30 ms a lump: the same triangles in the same order. "
-            "Its tissue must be layered: a built-in body, or a mesh under a scene with [tissue] layer_table. Raises "
-            "palpate.Error.",
-            py::arg("lumps"));
+  world.def(
+      "with_lumps", &withLumps,
+      "The same body with only these lumps, in about 30 ms per lump: the same triangles in the same order. Requires "
+      "layered tissue: a built-in body, or a mesh under a scene with [tissue] layer_table. Raises palpate.Error.",
+      py::arg("lumps"));
   world.def_property_readonly(
       "lumps",
       [](const WorldHandle& self) {
@@ -254,7 +253,7 @@ void bindLumps(py::module_& module) {
         for (const auto& lump : self.world->lumps) all.append(factsOfLump(*lump));
         return FactsList(all);
       },
-      "What lies under the skin, a dict each: name; foot (3,) on the skin over its middle, axis (3,) out of the skin, "
+      "Lumps under the skin, one dict each: name; foot (3,) on the skin above its centre, axis (3,) out of the skin, "
       "across and up (3,), mm; half_axes_mm (3,), depth_mm of its top; young_kpa, layer_kpa of the tissue around it; "
       "tissue_mm over the bone; mobility_mm_per_n; share: what it adds to the force of a fingertip right over it, by "
       "the depth of the press, mm; note, all of this in a line.");

@@ -131,7 +131,7 @@ void bindCopies(Class& bound) {
 }  // namespace
 
 void bindPickle(py::module_& module) {
-  module.def("_world_of", &worldOfPickle, "What a pickled World is made of again.", py::arg("toml"), py::arg("mesh"),
+  module.def("_world_of", &worldOfPickle, "Rebuilds a World from its pickle.", py::arg("toml"), py::arg("mesh"),
              py::arg("hash"));
   auto world = py::reinterpret_borrow<py::class_<WorldHandle, WorldPointer>>(module.attr("World"));
   world.def("__reduce__", &reduced,

@@ -373,61 +373,64 @@ py::list toTextList(const std::vector<std::string>& lines) {
 
 void bindRepair(py::module_& module) {
   using trace::RecordingRepair;
-  py::class_<RecordingRepair>(module, "SessionRepair", "What was salvaged of a damaged session, and what was lost.")
-      .def_property_readonly("nothing_lost", &RecordingRepair::nothingLost, "All that was recorded is in the new file.")
-      .def_readonly("samples", &RecordingRepair::samples, "Salvaged.")
-      .def_readonly("blocks", &RecordingRepair::blocks, "Salvaged.")
-      .def_readonly("events", &RecordingRepair::events, "Salvaged.")
-      .def_readonly("worlds", &RecordingRepair::worlds, "Salvaged.")
-      .def_readonly("attachments", &RecordingRepair::attachments, "Salvaged.")
-      .def_property_readonly("samples_lost", &RecordingRepair::samplesLost, "Those that are known by their time.")
-      .def_readonly("blocks_lost", &RecordingRepair::blocks_lost, "With a checksum that does not hold, or missing.")
-      .def_readonly("bytes_missing", &RecordingRepair::bytes_missing, "At the file's end.")
-      .def_readonly("header_lost", &RecordingRepair::header_lost, "When it began, its rate, notes.")
+  py::class_<RecordingRepair>(module, "SessionRepair", "What was recovered from a damaged session, and what was lost.")
+      .def_property_readonly("nothing_lost", &RecordingRepair::nothingLost,
+                             "Whether everything recorded is in the new file.")
+      .def_readonly("samples", &RecordingRepair::samples, "Number of recovered samples.")
+      .def_readonly("blocks", &RecordingRepair::blocks, "Number of recovered blocks.")
+      .def_readonly("events", &RecordingRepair::events, "Number of recovered events.")
+      .def_readonly("worlds", &RecordingRepair::worlds, "Number of recovered worlds.")
+      .def_readonly("attachments", &RecordingRepair::attachments, "Number of recovered attachments.")
+      .def_property_readonly("samples_lost", &RecordingRepair::samplesLost,
+                             "Number of lost samples, as far as their times are known.")
+      .def_readonly("blocks_lost", &RecordingRepair::blocks_lost,
+                    "Number of blocks that are missing or have a wrong checksum.")
+      .def_readonly("bytes_missing", &RecordingRepair::bytes_missing, "Number of bytes missing at the end of the file.")
+      .def_readonly("header_lost", &RecordingRepair::header_lost,
+                    "Whether the header is lost: start time, rate, notes.")
       .def_property_readonly(
           "lost", [](const RecordingRepair& r) { return missingTickFacts(r, r.lost); },
-          "A dict each: finger, first_tick, last_tick (both included), samples.")
+          "Lost spans, one dict each: finger, first_tick, last_tick (inclusive), samples.")
       .def_property_readonly(
           "gaps", [](const RecordingRepair& r) { return missingTickFacts(r, r.gaps); },
-          "Ticks that were never recorded, as `lost`.")
+          "Spans that were never recorded, in the form of `lost`.")
       .def_property_readonly(
           "other_lost", [](const RecordingRepair& r) { return toTextList(r.other); },
-          "Worlds, names, attachments: a line each.")
+          "Lost worlds, names and attachments, one line each.")
       .def_property_readonly(
-          "notes", [](const RecordingRepair& r) { return toTextList(r.notes); }, "What else was seen.")
+          "notes", [](const RecordingRepair& r) { return toTextList(r.notes); }, "Other observations.")
       .def("__repr__", [](const RecordingRepair& r) {
         return fmt::format("SessionRepair({} samples, {})", r.samples,
                            r.nothingLost() ? "nothing lost" : "with losses");
       });
-  module.def(
-      "repair", repaired, py::arg("file"), py::arg("target"), py::kw_only(), py::arg("overwrite") = false,
-      "Writes what can still be read of a damaged session into `target`; `file` is only read. A sample comes\n"
-      "out with every bit, or not at all. Releases the GIL. Raises Error where there is nothing to salvage, for\n"
-      "a target that is there already, and for the same file twice.");
+  module.def("repair", repaired, py::arg("file"), py::arg("target"), py::kw_only(), py::arg("overwrite") = false,
+             "Writes the readable parts of a damaged session into `target`; `file` is only read. A sample comes\nout "
+             "with every bit, or not at all. Releases the GIL. Raises Error if nothing can be recovered, for\na target "
+             "that already exists, and for the same file twice.");
 }
 
 void bindReplay(py::module_& module) {
   using engine::ReplayDifference;
   using engine::ReplayReport;
-  py::class_<ReplayDifference>(module, "ReplayDifference", "The first place where a replay differs from the record.")
-      .def_readonly("tick", &ReplayDifference::tick, "Of the servo loop.")
-      .def_readonly("finger", &ReplayDifference::finger, "Its name.")
-      .def_readonly("field", &ReplayDifference::field, "The column.")
-      .def_readonly("recorded", &ReplayDifference::recorded, "The value in the file, in words.")
-      .def_readonly("replayed", &ReplayDifference::replayed, "The value that was felt again, in words.")
+  py::class_<ReplayDifference>(module, "ReplayDifference", "First place where a replay differs from the recording.")
+      .def_readonly("tick", &ReplayDifference::tick, "Tick of the servo loop.")
+      .def_readonly("finger", &ReplayDifference::finger, "Name of the finger.")
+      .def_readonly("field", &ReplayDifference::field, "Name of the column.")
+      .def_readonly("recorded", &ReplayDifference::recorded, "Value in the file, as text.")
+      .def_readonly("replayed", &ReplayDifference::replayed, "Value of the replay, as text.")
       .def("__repr__", [](const ReplayDifference& d) {
         return fmt::format("ReplayDifference(tick {}, {}, {}: {} -> {})", d.tick, d.finger, d.field, d.recorded,
                            d.replayed);
       });
-  py::class_<ReplayReport>(module, "ReplayReport", "What came of feeling a session again.")
-      .def_property_readonly("identical", &ReplayReport::identical, "Every compared bit is the same.")
-      .def_readonly("ticks", &ReplayReport::ticks, "Samples that were compared.")
-      .def_readonly("different", &ReplayReport::different, "How many of them differ.")
+  py::class_<ReplayReport>(module, "ReplayReport", "Result of replaying a session.")
+      .def_property_readonly("identical", &ReplayReport::identical, "Whether every compared bit is the same.")
+      .def_readonly("ticks", &ReplayReport::ticks, "Number of compared samples.")
+      .def_readonly("different", &ReplayReport::different, "Number of samples that differ.")
       .def_readonly("unproven", &ReplayReport::unproven,
-                    "Samples that could not be compared: time before them is missing from the session.")
-      .def_readonly("first_difference", &ReplayReport::first_difference, "The first, or None.")
-      .def_readonly("notes", &ReplayReport::notes, "A body that is not the recorded one, and so on.")
-      .def_readonly("gaps", &ReplayReport::gaps, "Where time is missing, in words.")
+                    "Samples that could not be compared, because earlier ticks are missing from the session.")
+      .def_readonly("first_difference", &ReplayReport::first_difference, "The first difference, or None.")
+      .def_readonly("notes", &ReplayReport::notes, "Notes, e.g. a body that differs from the recorded one.")
+      .def_readonly("gaps", &ReplayReport::gaps, "Spans with missing ticks, as text.")
       .def("__repr__", [](const ReplayReport& r) {
         return fmt::format("ReplayReport({}, {} samples, {} different)", r.identical() ? "identical" : "not identical",
                            r.ticks, r.different);
@@ -439,25 +442,25 @@ void bindReplay(py::module_& module) {
 void bindSessions(py::module_& module) {
   bindReplay(module);
   bindRepair(module);
-  py::class_<Blocks>(module, "SessionBlocks", "Walks through a session, a dict of arrays at a time.")
+  py::class_<Blocks>(module, "SessionBlocks", "Iterator over a session, one dict of arrays at a time.")
       .def(
-          "__iter__", [](Blocks& blocks) -> Blocks& { return blocks; }, "Itself.")
-      .def("__next__", &Blocks::next, "The next block that is not empty.");
+          "__iter__", [](Blocks& blocks) -> Blocks& { return blocks; }, "Returns itself.")
+      .def("__next__", &Blocks::next, "Returns the next non-empty block.");
   py::class_<RecordingFile, std::shared_ptr<RecordingFile>>(
       module, "Session",
-      "A recorded session, also while it is written. For one thread at a time: another call meanwhile raises\n"
-      "RuntimeError. Closes with `with`.")
+      "A recorded session, readable while it is being written. Not thread-safe: a concurrent call "
+      "raises\nRuntimeError. Closes with `with`.")
       .def(py::init<const std::filesystem::path&>(), py::arg("file"),
-           "Raises Error for what is not a session, is damaged, or of a later version.")
+           "Raises Error for a file that is not a session, is damaged, or is of a later version.")
       .def_property_readonly("header", headerFacts,
                              "dict: started_utc, ended_utc, ended_by, software, machine, ticks_per_s, notes, tags,\n"
                              "version, samples, dropped, first_tick, last_tick, seconds.")
-      .def_property_readonly("fingers", fingersOf, "A dict each: name, device, capabilities, placed.")
+      .def_property_readonly("fingers", fingersOf, "Fingers, one dict each: name, device, capabilities, placed.")
       .def_property_readonly("worlds", worldFacts,
-                             "A dict each: number, scene (its text), folder, body, triangles, hash.")
-      .def_property_readonly("columns", columnFacts, "What `samples` knows, a dict each: name, type, unit, meaning.")
+                             "Worlds, one dict each: number, scene (its text), folder, body, triangles, hash.")
+      .def_property_readonly("columns", columnFacts, "Columns of `samples`, one dict each: name, type, unit, meaning.")
       .def("events", eventFacts, py::arg("span") = py::none(),
-           "A dict each: tick, finger (None: of all), kind, text. span: first and last tick, both included.")
+           "Events, one dict each: tick, finger (None for all), kind, text. span: first and last tick, inclusive.")
       .def(
           "samples",
           [](RecordingFile& session, const std::optional<std::vector<std::string>>& fields, const py::object& finger,
@@ -465,31 +468,31 @@ void bindSessions(py::module_& module) {
             return tableOf(session, {fieldsNamed(fields), findFinger(session, finger), asTickSpan(span)});
           },
           py::arg("fields") = py::none(), py::arg("finger") = 0, py::arg("span") = py::none(),
-          "Ticks of one finger (its number or name) as a dict of fresh arrays (N,) by column, or (N, 3) for tip,\n"
-          "proxy, anchor, hold, normal, force, device_force, dent, lump_force. fields: None means every column. span: "
-          "first and\n"
-          "last tick, both included. Releases the GIL. Raises Error for a field, a finger, a damaged block.")
+          "Ticks of one finger (its number or name) as a dict of new arrays (N,) by column, or (N, 3) for tip,\nproxy, "
+          "anchor, hold, normal, force, device_force, dent, lump_force. fields: None means every column. span: first "
+          "and\nlast tick, both included. Releases the GIL. Raises Error for a field, a finger, a damaged block.")
       .def("blocks", makeBlocks, py::arg("ticks") = 10000, py::arg("fields") = py::none(), py::arg("finger") = 0,
            py::arg("span") = py::none(),
-           "Iterates over what `samples` gives, so many ticks at a time: memory for one block, however long the\n"
-           "session. Spans without a sample are passed over.")
+           "Iterates over `samples`, this many ticks at a time; uses memory for one block, however long the\nsession. "
+           "Spans without samples are skipped.")
       .def("world", buildRecordedWorld, py::arg("number") = 0, py::arg("folder") = "",
-           "Builds a recorded world. folder: where the files that its scene names lie now. Raises Error.")
+           "Builds a recorded world. folder: current location of the files that its scene names. Raises Error.")
       .def("replay", replayed, py::arg("span") = py::none(), py::arg("folder") = "",
-           "Feels the session again and compares every bit of the span. Releases the GIL. Raises Error for a scene\n"
-           "that can no longer be built.")
+           "Replays the session and compares every bit of the span. Releases the GIL. Raises Error for a scene\nthat "
+           "can no longer be built.")
       .def(
           "damaged_blocks",
           [](RecordingFile& session) {
             const Busy::Guard guard(session.busy, kInUse);
             return session.reader().damagedBlocks();
           },
-          "Blocks that cannot be read, and why: pairs of number and words.")
-      .def("close", closeSession, "Lets the file go; any later question raises ValueError.")
+          "Blocks that cannot be read: pairs of number and reason.")
+      .def("close", closeSession, "Closes the file; later calls raise ValueError.")
       .def(
-          "__enter__", [](std::shared_ptr<RecordingFile> session) { return session; }, "Itself.")
+          "__enter__", [](std::shared_ptr<RecordingFile> session) { return session; }, "Returns itself.")
       .def(
-          "__exit__", [](RecordingFile& session, const py::args& /*error*/) { closeSession(session); }, "Closes it.")
+          "__exit__", [](RecordingFile& session, const py::args& /*error*/) { closeSession(session); },
+          "Calls close().")
       .def("__repr__", [](RecordingFile& session) { return "Session('" + session.file().string() + "')"; });
 }
 

@@ -97,10 +97,9 @@ void bindRollout(py::module_& module) {
       "interrupts. Raises ValueError for shapes, TypeError for what is not a number, palpate.Error for settings.",
       py::arg("tips"), py::kw_only(), py::arg("settings") = py::none(), py::arg("fields") = py::none(),
       py::arg("threads") = 1, py::arg("out") = py::none());
-  module.def(
-      "_native_rollout_seconds", &nativeSeconds,
-      "Seconds that a loop of C++ takes for the path (T, 3) of one finger, its outputs kept; for tools/bench-python.",
-      py::arg("world"), py::arg("tips"));
+  module.def("_native_rollout_seconds", &nativeSeconds,
+             "Time in s of a C++ loop over the path (T, 3) of one finger, storing its outputs; for tools/bench-python.",
+             py::arg("world"), py::arg("tips"));
 }
 
 }  // namespace palpate::python

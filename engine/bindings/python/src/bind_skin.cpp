@@ -92,24 +92,23 @@ IndexArray changedRanges(const SkinHandle& self) {
 }  // namespace
 
 void bindSkin(py::module_& module) {
-  py::class_<SkinHandle> skin(module, "Skin",
-                              "The skin of a world as fingers deform it.\n\nIts arrays are live, read-only views: the "
-                              "next `apply` changes what they show. "
-                              "They are for the thread that applies; `copy` is for others and for later.");
+  py::class_<SkinHandle> skin(
+      module, "Skin",
+      "The skin of a world, deformed by fingers.\n\nIts arrays are live, read-only views: the next `apply` changes "
+      "what they show. They are for the thread that applies; `copy` is for others and for later.");
   skin.def(
       py::init([](const WorldPointer& world, bool strain, std::size_t fingers) {
         if (fingers == 0) throw py::value_error("fingers: must be at least 1");
         return std::make_unique<SkinHandle>(world, strain, fingers);
       }),
-      "At rest. strain: also compute the strain; fingers: the most that are applied at once. Raises palpate.Error.",
+      "Begins at rest. strain: also compute the strain; fingers: maximum number applied at once. Raises palpate.Error.",
       py::arg("world"), py::kw_only(), py::arg("strain") = true, py::arg("fingers") = 16);
-  skin.def(
-      "apply", &apply,
-      "Brings the skin to what these touches make of it, whatever it was before; an empty list: to rest.\n\n"
-      "tick: when they felt it, counted from the start of the run; matters on a body that breathes.\n"
-      "The interpreter's lock is kept. Raises TypeError for other things than touches, ValueError for more of them "
-      "than there is room for, RuntimeError while another thread reads the skin (view.render).",
-      py::arg("touches"), py::kw_only(), py::arg("tick") = 0);
+  skin.def("apply", &apply,
+           "Deforms the skin by these touches, whatever its state before; an empty list brings it to rest.\n\ntick: "
+           "when they felt it, counted from the start of the run; matters on a body that breathes.\nThe interpreter's "
+           "lock is kept. Raises TypeError for other things than touches, ValueError for more of them than there is "
+           "room for, RuntimeError while another thread reads the skin (view.render).",
+           py::arg("touches"), py::kw_only(), py::arg("tick") = 0);
   skin.def(
       "copy", [](SkinHandle& self) { return FeltDict(copied(self)); },
       "A dict of fresh arrays, whole even beside `apply` in another thread: positions, normals, displacement (V, 3) "
@@ -126,14 +125,14 @@ void bindSkin(py::module_& module) {
         const auto& surface = surfaceOf(self);
         return pointsOver(surface.normal(0), surface.normal(1), surface.normal(2), self);
       },
-      "(V, 3) float32, unit; a live view.");
+      "(V, 3) float32 unit normals; a live view.");
   skin.def_property_readonly(
       "displacement",
       [](const py::object& self) {
         const auto& surface = surfaceOf(self);
         return pointsOver(surface.displacement(0), surface.displacement(1), surface.displacement(2), self);
       },
-      "(V, 3) float32, mm from rest, 0 where nothing moves; a live view.");
+      "(V, 3) float32, mm from rest, 0 where the skin does not move; a live view.");
   skin.def_property_readonly(
       "strain",
       [](const py::object& self) {
@@ -141,17 +140,18 @@ void bindSkin(py::module_& module) {
         return Float32Array(arrayView(strain.data(), {static_cast<py::ssize_t>(strain.size())}, self));
       },
       "(V,) float32, 0.1 is 10 % longer, below 0 shorter; zeros without strain. A live view.");
-  skin.def_property_readonly("changed", &changedRanges,
-                             "(R, 2) int64: ranges of vertices, first and end, that the last `apply` wrote; fresh.");
+  skin.def_property_readonly(
+      "changed", &changedRanges,
+      "(R, 2) int64: ranges of vertices, first and end, written by the last `apply`; a new array.");
   skin.def_property_readonly(
       "moved_vertices", [](const SkinHandle& self) { return self.report.moved_vertices; },
-      "How many vertices the last `apply` found in the reach of a finger.");
+      "Number of vertices within reach of a finger in the last `apply`.");
   skin.def_property_readonly(
       "status", [](const SkinHandle& self) { return self.report.status; },
       "Bits of the last `apply`: 1 a contact that is not finite, 2 without triangle, 4 more than there is room for, 8 "
       "a "
       "region without area, 16 without a vertex (docs/explanation/deformation.md).");
-  skin.def_property_readonly("world", &SkinHandle::world, "The world whose skin it is.");
+  skin.def_property_readonly("world", &SkinHandle::world, "The world that the skin belongs to.");
 }
 
 }  // namespace palpate::python

@@ -88,16 +88,15 @@ FloatArray lawDepth(const ForceLaw& law, const ArrayLike& force, const ArrayLike
 }
 
 void bindLaws(py::module_& module) {
-  py::class_<ForceLaw>(
-      module, "Law",
-      "From how deep to how strong: F = k h(depth), k being the stiffness of the place at the\n"
-      "reference depth (8 mm). Immutable. Made by `linear`, `power`, `stiffening`, `table`, `layered`,\n"
-      "or `of` a world. Depths in mm under the skin, stiffness in N/mm, forces in N.")
+  py::class_<ForceLaw>(module, "Law",
+                       "A force law, from depth to force: F = k h(depth), where k is the stiffness of the place at "
+                       "the\nreference depth (8 mm). Immutable. Made by `linear`, `power`, `stiffening`, `table`, "
+                       "`layered`,\nor `of` a world. Depths in mm under the skin, stiffness in N/mm, forces in N.")
       .def_static(
           "linear", [] { return ForceLaw{}; }, "Hooke's law, h = depth.")
       .def_static("power", powerLaw, py::arg("exponent") = 1.6,
                   py::arg("reference_depth_mm") = tissue::kReferenceDepthMm,
-                  "h = d_ref (d / d_ref)^exponent; the exponent 1 to 3. Raises Error.")
+                  "h = d_ref (d / d_ref)^exponent, with an exponent of 1 to 3. Raises Error.")
       .def_static(
           "stiffening", stiffeningLaw, py::arg("ratio") = 5.0, py::arg("depth_mm") = 12.0,
           py::arg("reference_depth_mm") = tissue::kReferenceDepthMm,
@@ -105,8 +104,8 @@ void bindLaws(py::module_& module) {
           "Raises Error.")
       .def_static("table", tableLaw, py::arg("depth_mm"), py::arg("force_n"),
                   py::arg("reference_depth_mm") = tissue::kReferenceDepthMm,
-                  "A measured law: arrays (R,) of at most 64 rows, depths increasing, forces not falling; scaled so\n"
-                  "that it agrees with the map at the reference depth. Raises ValueError, Error.")
+                  "A measured law: arrays (R,) of at most 64 rows, increasing depths, non-decreasing forces; scaled "
+                  "so\nthat it agrees with the map at the reference depth. Raises ValueError, Error.")
       .def_static(
           "layered",
           [](double fat_mm) {
@@ -114,22 +113,23 @@ void bindLaws(py::module_& module) {
                             .layers = tissue::LayeredTissue(tissue::libraryNodes(fat_mm)).forceRows()};
           },
           py::arg("fat_mm") = 8.0,
-          "Skin, so much fat (mm) and muscle over bone, as solved by finite elements: `tissue_mm` counts.")
+          "Skin, fat of this thickness (mm) and muscle over bone, solved by finite elements; depends on `tissue_mm`.")
       .def_static(
           "of", [](const WorldHandle& world) { return world.world->surface.force_law; }, py::arg("world"),
-          "The law that a world is felt by.")
+          "The force law of a world.")
       .def_property_readonly(
           "kind", [](const ForceLaw& law) { return kLawNames[static_cast<std::size_t>(law.kind)]; },
           "\"linear\", \"power\", \"stiffening\", \"table\" or \"layered\".")
-      .def_readonly("exponent", &ForceLaw::exponent, "Of the power law.")
-      .def_readonly("reference_depth_mm", &ForceLaw::reference_depth_mm, "Where every law agrees with Hooke's, mm.")
+      .def_readonly("exponent", &ForceLaw::exponent, "Exponent of the power law.")
+      .def_readonly("reference_depth_mm", &ForceLaw::reference_depth_mm,
+                    "Depth at which every law agrees with Hooke's, mm.")
       .def("force", lawForce, py::arg("depth_mm"), py::arg("stiffness") = 1.0, py::arg("tissue_mm") = 0.0,
-           "Normal force, N, an array of the arguments' common shape; 0 above the skin. `tissue_mm`: thickness over\n"
-           "the bone, which only the layered law asks for.")
+           "Normal force, N, in the broadcast shape of the arguments; 0 above the skin. `tissue_mm`: thickness "
+           "over\nthe bone, which only the layered law asks for.")
       .def("tangent", lawTangent, py::arg("depth_mm"), py::arg("stiffness") = 1.0, py::arg("tissue_mm") = 0.0,
-           "dF/dd, N/mm, for depths >= 0: what a small change of depth feels like. Shapes as for `force`.")
+           "dF/dd, N/mm, for depths >= 0: the stiffness for small changes of depth. Shapes as for `force`.")
       .def("depth", lawDepth, py::arg("force_n"), py::arg("stiffness") = 1.0, py::arg("tissue_mm") = 0.0,
-           "The least depth with this force, mm; 0 for a force that is not positive. Shapes as for `force`.")
+           "Smallest depth with this force, mm; 0 for a force that is not positive. Shapes as for `force`.")
       .def("__repr__", [](const ForceLaw& law) {
         return std::string("Law(") + kLawNames[static_cast<std::size_t>(law.kind)] + ")";
       });
@@ -161,18 +161,20 @@ void bindLayers(py::module_& module) {
                      "Skin, fat and muscle over bone, solved by finite elements for a fingertip of 8 mm: what the\n"
                      "bodies are made of. Immutable. Thicknesses beyond the solved ones count as the nearest.")
       .def(py::init([](double fat_mm) { return Layers{tissue::LayeredTissue(tissue::libraryNodes(fat_mm))}; }),
-           py::arg("fat_mm") = 8.0, "fat_mm: thickness of the fat, 0 to 60 mm, less where there is no room for it.")
+           py::arg("fat_mm") = 8.0, "fat_mm: thickness of the fat, 0 to 60 mm, less where there is no room.")
       .def_static(
           "from_table",
           [](const std::filesystem::path& file) {
             return Layers{tissue::LayeredTissue({tissue::nodeOf(tissue::readLayeredTable(file))})};
           },
           py::arg("file"),
-          "Of a table that `palpate tissue solve` or `palpate tissue fit profile` wrote. Raises Error.")
+          "Reads a table written by `palpate tissue solve` or `palpate tissue fit profile`. Raises Error.")
       .def_property_readonly(
-          "thinnest_mm", [](const Layers& l) { return l.tissue.thinnest(); }, "The thinnest solved stack, mm.")
+          "thinnest_mm", [](const Layers& l) { return l.tissue.thinnest(); },
+          "Thickness of the thinnest solved stack, mm.")
       .def_property_readonly(
-          "thickest_mm", [](const Layers& l) { return l.tissue.thickest(); }, "The thickest solved stack, mm.")
+          "thickest_mm", [](const Layers& l) { return l.tissue.thickest(); },
+          "Thickness of the thickest solved stack, mm.")
       .def(
           "secant",
           [](const Layers& layers, const ArrayLike& thickness, const ArrayLike& depth) {
@@ -180,7 +182,7 @@ void bindLayers(py::module_& module) {
                            named("thickness_mm", thickness), named("depth_mm", depth));
           },
           py::arg("thickness_mm"), py::arg("depth_mm"),
-          "Force over depth, N/mm, an array of the arguments' common shape; depths > 0.")
+          "Force divided by depth, N/mm, in the broadcast shape of the arguments; depths > 0.")
       .def(
           "force",
           [](const Layers& layers, const ArrayLike& thickness, const ArrayLike& depth) {
@@ -188,22 +190,23 @@ void bindLayers(py::module_& module) {
                            named("thickness_mm", thickness), named("depth_mm", depth));
           },
           py::arg("thickness_mm"), py::arg("depth_mm"),
-          "Normal force on the fingertip, N, an array of the arguments' common shape.")
+          "Normal force on the fingertip, N, in the broadcast shape of the arguments.")
       .def(
           "deepest",
           [](const Layers& layers, const ArrayLike& thickness) {
             return overAll([&](double t) { return layers.tissue.deepestAt(t); }, named("thickness_mm", thickness));
           },
-          py::arg("thickness_mm"), "How deep the skin goes at most, mm: as deep as was solved, never to the bone.")
+          py::arg("thickness_mm"),
+          "Maximum depth of the skin, mm: the deepest that was solved, never down to the bone.")
       .def("pressed", pressedSkin, py::arg("thickness_mm"), py::arg("depth_mm"), py::arg("r_mm"),
-           "How pressed skin moves at these distances from the axis (N,): an array (N, 2), mm, into the body and away\n"
-           "from the axis.")
+           "Motion of pressed skin at these distances from the axis (N,): an array (N, 2), mm, into the body and "
+           "away\nfrom the axis.")
       .def(
           "law",
           [](const Layers& layers) {
             return ForceLaw{.kind = ForceLaw::Kind::layered, .layers = layers.tissue.forceRows()};
           },
-          "The force law of these places, for Law's functions with `tissue_mm`.");
+          "The force law of this tissue, for Law's functions with `tissue_mm`.");
 }
 
 // --- what is published ----------------------------------------------------------------------------------------------
@@ -226,7 +229,8 @@ void bindTissue(py::module_& module) {
   module.def("published_moduli", modulusRows,
              "Rows (tissue, low_kpa, high_kpa, how, source, doubt, is_default); palpate.tissue.moduli names them.");
   module.def("default_modulus", tissue::defaultModulus, py::arg("tissue"),
-             "kPa, of \"skin\", \"fat\" or \"muscle\" in the solved stacks. Raises Error for another word.");
+             "Young's modulus (kPa) of \"skin\", \"fat\" or \"muscle\" in the solved stacks. Raises Error for any "
+             "other word.");
   module.def(
       "profile",
       [](const ArrayLike& q) {

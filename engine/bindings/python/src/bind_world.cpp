@@ -124,24 +124,23 @@ WorldPointer rebuiltFrom(const WorldHandle& self, const std::string& toml, const
 }
 
 void bindMakers(py::class_<WorldHandle, WorldPointer>& world) {
-  world.def_static(
-      "load", &load,
-      "A world from a scene file (docs/reference/scene-files.md). Raises palpate.Error with file and line. Releases "
-      "the interpreter's lock, as all that build a world do; Ctrl-C interrupts.",
-      py::arg("file"));
+  world.def_static("load", &load,
+                   "A world from a scene file (docs/reference/scene-files.md). Raises palpate.Error with file and "
+                   "line. Releases the GIL, like everything that builds a world; Ctrl-C interrupts.",
+                   py::arg("file"));
   world.def_static("parse", &parse,
-                   "A world from the text of a scene file. name: stands for the file in messages, its folder for names "
-                   "of files in the text. Raises palpate.Error with name and line.",
+                   "A world from the text of a scene file. name: shown as the file in messages; its folder is the base "
+                   "of relative file names in the text. Raises palpate.Error with name and line.",
                    py::arg("toml"), py::arg("name") = "scene");
   world.def_static(
       "torso", [](std::size_t triangles) { return builtIn(scene::BodyKind::torso, triangles); },
-      "The open back of the dissertation with 43 bones. triangles: of skin and bones together. Raises "
-      "palpate.Error for too few. 0.6 s.",
+      "The dissertation's open back with 43 bones. triangles: number in skin and bones. Raises palpate.Error for too "
+      "few. Takes 0.6 s.",
       py::kw_only(), py::arg("triangles") = body::TorsoSettings().triangles);
   world.def_static(
       "trunk", [](std::size_t triangles) { return builtIn(scene::BodyKind::trunk, triangles); },
-      "The closed body from neck to thighs. triangles: of skin and bones together, even. Raises "
-      "palpate.Error for too few. One to two seconds.",
+      "The closed body from neck to thighs. triangles: number in skin and bones, even. Raises palpate.Error for too "
+      "few. Takes 1 to 2 s.",
       py::kw_only(), py::arg("triangles") = body::TrunkSettings().triangles);
   world.def_static(
       "from_file", &fromFile,
@@ -167,10 +166,9 @@ void bindMakers(py::class_<WorldHandle, WorldPointer>& world) {
       py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("stiffness") = 0.5, py::arg("repair") = true,
       py::arg("scene") = "");
   world.def("rebuilt", &rebuiltFrom,
-            "The same body under another scene's force law, stiffness, maps, friction: the same triangles in the same "
-            "order, in milliseconds. toml: text of a whole scene, of which [body] is not looked at. Raises "
-            "palpate.Error with "
-            "name and line.",
+            "The same body with another scene's force law, stiffness, maps and friction: the same triangles in the "
+            "same order, in milliseconds. toml: text of a whole scene; its [body] is ignored. Raises palpate.Error "
+            "with name and line.",
             py::arg("toml"), py::arg("name") = "scene");
 }
 
@@ -188,13 +186,13 @@ void bindWorldSkin(py::class_<WorldHandle, WorldPointer>& world) {
   world.def_property_readonly(
       "positions",
       [](const py::object& self) { return FloatArray(arrayView(worldFrom(self).body->skin.positions, self)); },
-      "(V, 3) vertices of the skin at rest, mm; a read-only view, as all arrays of a World are.");
+      "(V, 3) vertices of the skin at rest, mm; a read-only view, like all arrays of a World.");
   world.def_property_readonly(
       "normals",
       [](const py::object& self) {
         return FloatArray(arrayView(worldFrom(self).surface.geometry->vertex_normals, self));
       },
-      "(V, 3) unit, out of the body, weighted by angle.");
+      "(V, 3) unit vertex normals, pointing outwards, weighted by angle.");
   world.def_property_readonly(
       "triangles",
       [](const py::object& self) {
@@ -209,19 +207,22 @@ void bindWorldSkin(py::class_<WorldHandle, WorldPointer>& world) {
         const auto& stiffness = *worldFrom(self).surface.stiffness_n_per_mm;
         return FloatArray(arrayView(stiffness.data(), {static_cast<py::ssize_t>(stiffness.size())}, self));
       },
-      "(V,) N/mm.");
+      "(V,) stiffness per vertex, N/mm.");
   world.def_property_readonly(
       "source_vertex", [](const py::object& self) { return indexMapView(self, &SourceMaps::source_vertex); },
-      "(V,) int32: which given vertex each one is. Raises palpate.Error for a world that no mesh was given for.");
+      "(V,) int32: index of the given vertex for each vertex. Raises palpate.Error unless the world was made from a "
+      "mesh.");
   world.def_property_readonly(
       "source_triangle", [](const py::object& self) { return indexMapView(self, &SourceMaps::source_triangle); },
-      "(F,) int32: which given triangle each one is; -1 for one that mending made. Raises palpate.Error likewise.");
+      "(F,) int32: index of the given triangle for each triangle; -1 for one made by repair. Raises like "
+      "`source_vertex`.");
   world.def_property_readonly(
       "built_vertex", [](const py::object& self) { return indexMapView(self, &SourceMaps::built_vertex); },
-      "The other way round, a given vertex each; -1 for one that the world has not. Raises palpate.Error likewise.");
+      "Index of the world's vertex for each given vertex; -1 for one that the world lacks. Raises like "
+      "`source_vertex`.");
   world.def_property_readonly(
       "built_triangle", [](const py::object& self) { return indexMapView(self, &SourceMaps::built_triangle); },
-      "A given triangle each: which of the world's it is, or -1. Raises palpate.Error likewise.");
+      "Index of the world's triangle for each given triangle, or -1. Raises like `source_vertex`.");
 }
 
 // ---- its places
@@ -294,45 +295,43 @@ FloatArray tipsAt(const WorldHandle& self, const PlaceLike& where, const ArrayLi
 void bindPlaces(py::class_<WorldHandle, WorldPointer>& world) {
   world.def_property_readonly(
       "landmarks", &landmarksOf<&body::SkinLandmark::position>,
-      "Named points on the skin, (3,) mm each, by the names that bones have (\"spinous_T6\"); {} for "
-      "a mesh.");
+      "Named points on the skin, (3,) mm, by the names of the bones (\"spinous_T6\"); {} for a mesh.");
   world.def_property_readonly("landmark_normals", &landmarksOf<&body::SkinLandmark::normal>,
-                              "The skin's normals there, (3,) each, by the same names.");
+                              "Normals of the skin at the landmarks, (3,), by the same names.");
   world.def(
       "place",
       [](const WorldHandle& self, const PlaceLike& place) { return toArray(placeOn(*self.world, place).point); },
-      "(3,) mm: the point of the skin at rest that words name (\"T6\", \"left PSIS\", \"T6 right 30 mm\"; "
-      "docs/reference/names.md), or the nearest to a point (3,). Raises palpate.Error with the name that is near in "
-      "spelling.",
+      "(3,) mm: the point of the skin at rest for a name (\"T6\", \"left PSIS\", \"T6 right 30 mm\"; "
+      "docs/reference/names.md), or the one nearest to a point (3,). Raises palpate.Error, which suggests the name "
+      "nearest in spelling.",
       py::arg("place"));
   world.def(
       "normal_at",
       [](const WorldHandle& self, const PlaceLike& place) { return toArray(placeOn(*self.world, place).normal); },
-      "(3,) unit: the normal of the triangle there, out of the body. Raises as `place` does.", py::arg("place"));
+      "(3,) unit normal of the triangle at a place, pointing outwards. Raises like `place`.", py::arg("place"));
   world.def(
       "triangle_at",
       [](const WorldHandle& self, const PlaceLike& place) { return placeOn(*self.world, place).triangle; },
-      "The triangle there, a row of `triangles`. Raises as `place` does.", py::arg("place"));
-  world.def("stiffness_at", &stiffnessAt, "N/mm at that place, between the vertices. Raises as `place` does.",
-            py::arg("place"));
-  world.def(
-      "tips", &tipsAt,
-      "(T, 3) mm: a path along the normal of a place, at these depths (T,) under the skin, mm; below 0 is over it. "
-      "Raises as `place` does.",
-      py::arg("place"), py::arg("depth_mm"));
+      "Triangle at a place, as a row of `triangles`. Raises like `place`.", py::arg("place"));
+  world.def("stiffness_at", &stiffnessAt,
+            "Stiffness at a place, N/mm, interpolated between the vertices. Raises like `place`.", py::arg("place"));
+  world.def("tips", &tipsAt,
+            "(T, 3) mm: a path along the normal of a place, at these depths (T,) below the skin, mm; negative is above "
+            "it. Raises like `place`.",
+            py::arg("place"), py::arg("depth_mm"));
   world.def(
       "words",
       [](const WorldHandle& self, const ArrayLike& point) {
         return body::describePlace(self.world->body->anatomy.landmarks, asPoint(point, "point"));
       },
-      "A point (3,) as an examiner would say it: \"T6, 12 mm right and 8 mm up\"; \"\" where nothing has a name.",
+      "A point (3,) in an examiner's words: \"T6, 12 mm right and 8 mm up\"; \"\" for a body without names.",
       py::arg("point"));
   world.def_property_readonly(
       "place_names", [](const WorldHandle& self) { return body::placeNames(self.world->body->anatomy.landmarks); },
-      "All names that `place` knows; [] for a mesh.");
+      "All names accepted by `place`; [] for a mesh.");
   world.def("ellipses", &ellipses,
             "(N, 3): half axes, mm, the longer first, and direction of the longer against x, rad in [0, pi), of the "
-            "deformation ellipses at xy (N, 2), mm, or at places by name.",
+            "deformation ellipses at xy (N, 2), mm, or at named places.",
             py::arg("xy"));
 }
 
@@ -373,25 +372,24 @@ WorldPointer worldUnder(const WorldHandle& self, scene::Scene scene) {
 }
 
 void bindWorld(py::module_& module) {
-  py::class_<WorldHandle, WorldPointer> world(module, "World",
-                                              "A body that can be felt: made by load, parse, torso, trunk, from_file, "
-                                              "from_arrays. It never changes; any number of "
-                                              "threads may share it.\n\nmm, N, s; x to the patient's right seen from "
-                                              "behind, y to the head, z out of the back.");
+  py::class_<WorldHandle, WorldPointer> world(
+      module, "World",
+      "A touchable body, made by load, parse, torso, trunk, from_file or from_arrays. Immutable; any number of threads "
+      "may share it.\n\nmm, N, s; x to the patient's right seen from behind, y to the head, z out of the back.");
   bindMakers(world);
   bindWorldSkin(world);
   bindPlaces(world);
   world.def_property_readonly(
       "notes", [](const WorldHandle& self) { return self.world->notes; },
-      "What the user should know: what a file was read without, repairs, a doubtful unit.");
+      "Notes for the user: ignored parts of a file, repairs, a doubtful unit.");
   world.def_property_readonly(
-      "name", [](const WorldHandle& self) { return self.world->body->name; }, "Of the body, in words.");
+      "name", [](const WorldHandle& self) { return self.world->body->name; }, "Name of the body.");
   world.def_property_readonly(
-      "closed", [](const WorldHandle& self) { return self.world->body->closed; }, "True where the skin has no border.");
+      "closed", [](const WorldHandle& self) { return self.world->body->closed; }, "Whether the skin has no border.");
   world.def_property_readonly(
       "fingers", [](const WorldHandle& self) { return self.world->scene.fingers.size(); },
-      "How many fingers the scene describes.");
-  world.def("__repr__", &worldRepr, "In a few words.");
+      "Number of fingers in the scene.");
+  world.def("__repr__", &worldRepr, "Short description.");
 }
 
 }  // namespace palpate::python

@@ -95,26 +95,28 @@ std::vector<measure::StencilSheet> stencil(double spacing_mm, int columns, int r
 // --- what comes out -------------------------------------------------------------------------------------------------
 
 void bindMeans(py::module_& module) {
-  py::class_<MeanEllipse>(module, "MeanEllipse",
-                          "The mean of some presses. A standard error that nothing is known of is NaN.")
+  py::class_<MeanEllipse>(module, "MeanEllipse", "Mean of several presses. An unknown standard error is NaN.")
       .def_readonly("half_major_mm", &MeanEllipse::half_major_mm, "Half the major axis.")
       .def_readonly("major_over_minor", &MeanEllipse::major_over_minor, "Ratio of the axes.")
       .def_readonly("direction_deg", &MeanEllipse::direction_deg,
-                    "Of the major axis, from the right towards the head, in (-90, 90]; an sd of 52 says nothing.")
+                    "Direction of the major axis, from the right towards the head, in (-90, 90]; with an sd of 52 it "
+                    "is undetermined.")
       .def_readonly("hardly_determined", &MeanEllipse::hardly_determined,
-                    "The direction's standard error is above 10 degrees, or the presses do not agree on it.")
-      .def_readonly("resultant", &MeanEllipse::resultant, "How much the directions agree: 1 all alike, 0 not at all.")
-      .def_readonly("freedom", &MeanEllipse::freedom, "Degrees of freedom behind the errors; 0: not known.")
-      .def_readonly("subjects", &MeanEllipse::subjects, "People.")
-      .def_readonly("presses", &MeanEllipse::presses, "Presses.")
+                    "Whether the direction's standard error is above 10 degrees, or the presses disagree on it.")
+      .def_readonly("resultant", &MeanEllipse::resultant,
+                    "Agreement of the directions, from 0 (none) to 1 (all equal).")
+      .def_readonly("freedom", &MeanEllipse::freedom, "Degrees of freedom of the errors; 0 if unknown.")
+      .def_readonly("subjects", &MeanEllipse::subjects, "Number of people.")
+      .def_readonly("presses", &MeanEllipse::presses, "Number of presses.")
       .def("__repr__", [](const MeanEllipse& m) {
         return fmt::format("MeanEllipse({:.1f} mm, ratio {:.2f}, {:.0f} degrees, {} presses of {})",
                            m.half_major_mm.value, m.major_over_minor.value, m.direction_deg.value, m.presses,
                            m.subjects);
       });
-  py::class_<DragMean>(module, "DragMean", "The presses of one way of pulling.")
-      .def_readonly("drag_deg", &DragMean::drag_deg, "That way, from the right towards the head; None: not said.")
-      .def_readonly("mean", &DragMean::mean, "Their mean.")
+  py::class_<DragMean>(module, "DragMean", "Mean of the presses pulled in one direction.")
+      .def_readonly("drag_deg", &DragMean::drag_deg,
+                    "Direction of the pull, from the right towards the head; None if unknown.")
+      .def_readonly("mean", &DragMean::mean, "Mean of these presses.")
       .def("__repr__", [](const DragMean& d) {
         return fmt::format("DragMean({}, {} presses)",
                            d.drag_deg ? measure::dragDirectionName(*d.drag_deg) : "not said", d.mean.presses);
@@ -122,28 +124,30 @@ void bindMeans(py::module_& module) {
 }
 
 void bindPoints(py::module_& module) {
-  py::class_<PointMean>(module, "PointMean", "What all presses of a point say.")
-      .def_readonly("name", &PointMean::name, "Of the point.")
+  py::class_<PointMean>(module, "PointMean", "Mean of all presses at a point.")
+      .def_readonly("name", &PointMean::name, "Name of the point.")
       .def_property_readonly(
           "place_mm", [](const PointMean& p) { return std::pair(p.place_mm.x(), p.place_mm.y()); },
-          "On the map: right, headwards.")
-      .def_readonly("drags", &PointMean::drags, "By the way the skin was pulled; at least one.")
-      .def_readonly("mean", &PointMean::mean, "Over the drags; the tissue's own where `along_drag` is known.")
+          "Place on the map, mm: right, headwards.")
+      .def_readonly("drags", &PointMean::drags, "Means by direction of the pull; at least one.")
+      .def_readonly("mean", &PointMean::mean, "Mean over the drags; the tissue's own if `along_drag` is known.")
       .def_readonly("along_drag", &PointMean::along_drag,
-                    "By how much a drag stretches the ellipse along itself; None unless two drags 60 degrees or more\n"
-                    "apart were measured.")
-      .def_readonly("half_major_4_mm", &PointMean::half_major_4_mm, "Of the ellipse of 4 mm; None: not measured.")
-      .def_readonly("peak_mm", &PointMean::peak_mm, "Under the contact; None: not measured.")
-      .def_readonly("stiffness_n_per_mm", &PointMean::stiffness_n_per_mm, "None: not measured.")
-      .def_readonly("mirrored_from", &PointMean::mirrored_from, "The point that this one mirrors; empty: measured.")
+                    "Factor by which a drag stretches the ellipse along itself; None unless two drags 60 degrees or "
+                    "more\napart were measured.")
+      .def_readonly("half_major_4_mm", &PointMean::half_major_4_mm,
+                    "Half the major axis of the 4 mm ellipse; None if not measured.")
+      .def_readonly("peak_mm", &PointMean::peak_mm, "Motion under the contact, mm; None if not measured.")
+      .def_readonly("stiffness_n_per_mm", &PointMean::stiffness_n_per_mm, "Stiffness; None if not measured.")
+      .def_readonly("mirrored_from", &PointMean::mirrored_from,
+                    "Name of the point that this one mirrors; empty if measured.")
       .def_property_readonly("remark", measure::dragRemark,
-                             "What stands between the pulled direction and a word about the tissue; empty: nothing.")
+                             "Reason why the direction may not be the tissue's own; empty for none.")
       .def("__repr__",
            [](const PointMean& p) { return fmt::format("PointMean({}, {} drags)", p.name, p.drags.size()); });
-  py::class_<Averages>(module, "Averages", "An ellipse a point, of several presses and people.")
-      .def_readonly("points", &Averages::points, "In the order of the tables, then the mirrored ones.")
+  py::class_<Averages>(module, "Averages", "One ellipse per point, averaged over presses and people.")
+      .def_readonly("points", &Averages::points, "Points in the order of the tables, then the mirrored ones.")
       .def("key_points", measure::keyPointTable, py::arg("by_drag") = false,
-           "The table that maps are made of, as text; by_drag: a row a point and drag.")
+           "Table of key points for maps, as text; by_drag: one row per point and drag.")
       .def("__repr__", [](const Averages& a) { return fmt::format("Averages({} points)", a.points.size()); });
 }
 
@@ -152,26 +156,25 @@ void bindPoints(py::module_& module) {
 void bindAverages(py::module_& module) {
   bindMeans(module);
   bindPoints(module);
-  module.def(
-      "average", averaged, py::arg("tables"), py::kw_only(), py::arg("drag") = py::none(),
-      py::arg("mirrors") = std::map<std::string, std::string>(), py::arg("averaging") = "tensorial",
-      "Means of presses. tables: files (CSV), or texts of such a table; of several each is one person's where its\n"
-      "rows do not say. drag: only presses pulled that way, degrees or a word (\"up\"). mirrors: points that nobody\n"
-      "measured as mirror images, {from: to}. averaging: \"tensorial\", or \"plain\" as the dissertation prints.\n"
-      "Raises Error with file and line, ValueError.");
+  module.def("average", averaged, py::arg("tables"), py::kw_only(), py::arg("drag") = py::none(),
+             py::arg("mirrors") = std::map<std::string, std::string>(), py::arg("averaging") = "tensorial",
+             "Averages presses. tables: files (CSV), or texts of such tables; each of several is one person's if "
+             "its\nrows do not say. drag: only presses pulled that way, degrees or a word (\"up\"). mirrors: points "
+             "that were not\nmeasured as mirror images, {from: to}. averaging: \"tensorial\", or \"plain\" as the "
+             "dissertation prints.\nRaises Error with file and line, ValueError.");
 }
 
 void bindStencil(py::module_& module) {
   py::class_<measure::StencilSheet>(module, "StencilSheet", "A sheet of paper.")
-      .def_readonly("name", &measure::StencilSheet::name, "Of a tile, \"r1c2\": row and column; empty: the only one.")
-      .def_readonly("svg", &measure::StencilSheet::svg, "The drawing, in mm, to be printed at 100 %.")
+      .def_readonly("name", &measure::StencilSheet::name,
+                    "Row and column of a tile, e.g. \"r1c2\"; empty for a single sheet.")
+      .def_readonly("svg", &measure::StencilSheet::svg, "The drawing, in mm; print it at 100 %.")
       .def("__repr__", [](const measure::StencilSheet& s) { return "StencilSheet('" + s.name + "')"; });
-  module.def(
-      "stencil", stencil, py::kw_only(), py::arg("spacing_mm") = 30.0, py::arg("columns") = 11, py::arg("rows") = 13,
-      py::arg("hole_mm") = 8.0, py::arg("page") = "auto", py::arg("scale_target") = false,
-      "The sheet to punch for the dots, at true size. spacing_mm: 5 to 100; columns, rows: 2 to 60; hole_mm:\n"
-      "less than half the spacing; page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\"; scale_target: with a\n"
-      "ruler of 100 mm. Raises Error for what is out of range or does not fit, ValueError.");
+  module.def("stencil", stencil, py::kw_only(), py::arg("spacing_mm") = 30.0, py::arg("columns") = 11,
+             py::arg("rows") = 13, py::arg("hole_mm") = 8.0, py::arg("page") = "auto", py::arg("scale_target") = false,
+             "Stencil sheet for the dots, at true size. spacing_mm: 5 to 100; columns, rows: 2 to 60; hole_mm:\nless "
+             "than half the spacing; page: \"auto\", \"a4\", \"a3\", \"a2\" or \"tiled-a4\"; scale_target: with "
+             "a\nruler of 100 mm. Raises Error for what is out of range or does not fit, ValueError.");
 }
 
 }  // namespace palpate::python

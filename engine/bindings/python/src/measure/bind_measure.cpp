@@ -178,18 +178,18 @@ std::string tableRow(const Measurement& m, const std::string& name, const std::p
 
 void bindEllipse(py::module_& module) {
   py::class_<Estimate>(module, "Estimate", "A number and its standard deviation. float() gives the number.")
-      .def_readonly("value", &Estimate::value, "The number.")
-      .def_readonly("sd", &Estimate::sd, "Its standard deviation.")
+      .def_readonly("value", &Estimate::value, "The value.")
+      .def_readonly("sd", &Estimate::sd, "Standard deviation.")
       .def(
           "__float__", [](const Estimate& e) { return e.value; }, "The number.")
       .def("__repr__", [](const Estimate& e) { return fmt::format("Estimate({:.4g} +- {:.2g})", e.value, e.sd); });
-  py::class_<KeyEllipse>(module, "KeyEllipse", "The ellipse through the places that move by level_mm.")
+  py::class_<KeyEllipse>(module, "KeyEllipse", "Ellipse through the places that move by level_mm.")
       .def_readonly("level_mm", &KeyEllipse::level_mm, "2 or 4.")
       .def_readonly("half_major_mm", &KeyEllipse::half_major_mm, "Half the major axis.")
       .def_readonly("half_minor_mm", &KeyEllipse::half_minor_mm, "Half the minor axis.")
       .def_readonly("major_over_minor", &KeyEllipse::major_over_minor, "Ratio of the axes.")
       .def_readonly("direction_deg", &KeyEllipse::direction_deg,
-                    "Of the major axis, from the right towards the head, in (-90, 90].")
+                    "Direction of the major axis, from the right towards the head, in (-90, 90].")
       .def("__repr__", [](const KeyEllipse& e) {
         return fmt::format("KeyEllipse({} mm: {:.1f} x {:.1f} mm at {:.0f} degrees)", e.level_mm, e.half_major_mm.value,
                            e.half_minor_mm.value, e.direction_deg.value);
@@ -198,36 +198,37 @@ void bindEllipse(py::module_& module) {
 
 void bindMeasurement(py::module_& module) {
   py::class_<Measurement>(module, "Measurement",
-                          "What two pictures say, and whether to believe it. What was not fitted is None.")
-      .def_property_readonly("accepted", &Measurement::accepted, "Nothing refuses it.")
-      .def_property_readonly(
-          "findings", listFindings,
-          "What speaks against it, a dict each: severity (\"refusal\", \"warning\"), code (stable),\n"
-          "text (what was seen and what to do).")
+                          "Measurement from two pictures, with its verdict. Values that were not fitted are None.")
+      .def_property_readonly("accepted", &Measurement::accepted, "Whether no finding rejects it.")
+      .def_property_readonly("findings", listFindings,
+                             "Findings against it, one dict each: severity (\"refusal\", \"warning\"), code "
+                             "(stable),\ntext (what was seen and what to do).")
       .def_property_readonly("ellipse", ofFit(&FieldFit::at_2_mm), "The key ellipse, of 2 mm; None without a fit.")
-      .def_property_readonly("ellipse_4_mm", ofFit(&FieldFit::at_4_mm), "That of 4 mm.")
-      .def_property_readonly("peak_mm", ofFit(&FieldFit::peak_mm), "How far the skin moved under the contact.")
-      .def_property_readonly("drag_deg", ofFit(&FieldFit::drag_deg), "The way it was pulled, in (-180, 180].")
-      .def_property_readonly("residual_rms_mm", ofFit(&FieldFit::residual_rms_mm), "Of the dots about the fit.")
+      .def_property_readonly("ellipse_4_mm", ofFit(&FieldFit::at_4_mm), "The ellipse of 4 mm.")
+      .def_property_readonly("peak_mm", ofFit(&FieldFit::peak_mm), "Motion of the skin under the contact, mm.")
+      .def_property_readonly("drag_deg", ofFit(&FieldFit::drag_deg),
+                             "Direction in which it was pulled, in (-180, 180].")
+      .def_property_readonly("residual_rms_mm", ofFit(&FieldFit::residual_rms_mm), "RMS residual of the dots, mm.")
       .def_property_readonly("inside_share", ofFit(&FieldFit::inside_share),
-                             "Of the ellipse that lies within the dots.")
+                             "Fraction of the ellipse inside the area of dots.")
       .def_property_readonly("drift", driftFacts,
-                             "How the body moved between the pictures: right_mm, headwards_mm, length_mm, turn_deg,\n"
-                             "scale_percent; empty without a fit.")
-      .def_property_readonly("dots", dotArrays,
-                             "A dict of arrays, a row a dot: site (N, 2) column and row, before_px, after_px (NaN:\n"
-                             "hidden), skin_mm, moved_mm without the body's own motion (N, 2), residual_mm (N,).")
+                             "Motion of the body between the pictures: right_mm, headwards_mm, length_mm, "
+                             "turn_deg,\nscale_percent; empty without a fit.")
+      .def_property_readonly(
+          "dots", dotArrays,
+          "A dict of arrays, one row per dot: site (N, 2) column and row, before_px, after_px (NaN:\nhidden), skin_mm, "
+          "moved_mm without the body's own motion (N, 2), residual_mm (N,).")
       .def_property_readonly(
           "contour_mm",
           [](const Measurement& m) {
             const auto* contour = m.contour ? &m.contour->contour_2_mm : nullptr;
             return pointsArray(contour ? contour->size() : 0, [&](std::size_t i) { return (*contour)[i]; });
           },
-          "The traced contour of 2 mm on the skin (N, 2), mm; empty where there is none.")
-      .def_readonly("matched", &Measurement::matched, "Dots that both pictures show.")
-      .def_readonly("seconds", &Measurement::seconds, "That it took.")
+          "Traced 2 mm contour on the skin (N, 2), mm; empty if there is none.")
+      .def_readonly("matched", &Measurement::matched, "Number of dots found in both pictures.")
+      .def_readonly("seconds", &Measurement::seconds, "Computation time, s.")
       .def("row", tableRow, py::arg("name"), py::arg("place_mm"),
-           "A line of a table of key points under `row_header`, for maps; empty without a fit. Raises ValueError.")
+           "Row of a key point table under `row_header`, for maps; empty without a fit. Raises ValueError.")
       .def("__repr__", [](const Measurement& m) {
         return fmt::format("Measurement({}, {} dots, {} findings)", m.accepted() ? "accepted" : "refused", m.matched,
                            m.findings.size());
@@ -250,7 +251,7 @@ PYBIND11_MODULE(_measure, module) {
       "how far the body may have moved, sd; None: 0.4 or what `again` shows. head: the pictures' edge that is\n"
       "towards it. contact_px: the marked contact. partial: the ellipse may leave the dots. Never raises for what\n"
       "the pictures show: see Measurement.accepted. Releases the GIL. Raises Error, ValueError.");
-  module.def("row_header", measure::keyRowHeader, "The columns of Measurement.row, with the line's end.");
+  module.def("row_header", measure::keyRowHeader, "The columns of Measurement.row, with a line end.");
   bindAverages(module);
   bindStencil(module);
   bindSynthesis(module);

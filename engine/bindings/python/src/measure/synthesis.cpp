@@ -105,8 +105,8 @@ void bindSynthesis(py::module_& module) {
              py::arg("drift_mm") = 0.3, py::arg("tail") = py::none(), py::arg("half_major_mm") = py::none(),
              py::arg("ratio") = py::none(), py::arg("direction_deg") = py::none(), py::arg("drag_deg") = py::none(),
              py::arg("peak_mm") = py::none(),
-             "Pictures before, before again and after a press, arrays (H, W, 3) of uint8, and the truth as a dict;\n"
-             "palpate.measure.synthesize names them. Releases the GIL. Raises ValueError.");
+             "Pictures before, again before and after a press, arrays (H, W, 3) of uint8, and the truth as a "
+             "dict;\npalpate.measure.synthesize names them. Releases the GIL. Raises ValueError.");
 }
 
 }  // namespace palpate::python

@@ -265,7 +265,7 @@ PYBIND11_MODULE(_view, module) {
              "A picture (H, W, 3) of uint8 and notes about it; palpate.view.render has the words.");
   module.def("save", savePng, py::arg("file"), py::arg("picture"),
              "Writes an array (H, W, 3) of uint8 as a PNG file. Raises ValueError, Error.");
-  module.def("_close", closeDrawing, "Ends the drawing thread; the next picture starts another.");
+  module.def("_close", closeDrawing, "Ends the drawing thread; the next picture starts a new one.");
   py::module_::import("atexit").attr("register")(module.attr("_close"));
 }
 
