@@ -107,7 +107,7 @@ TEST_F(FitBodyByShapeAlone, IsEnoughForThisScanAndAnotherScanIsNotTakenForIt) {
             "[[finger]]\nname = \"a\"\nat = \"T6\"\nscript = [ { do = \"press\" } ]\n");
   const auto other = palpate("simulate other.toml --out run");
   EXPECT_EQ(other.exit_code, 2);
-  EXPECT_NE(other.err.find("back.fit.json: the fit belongs to another scan"), std::string::npos) << other.err;
+  EXPECT_NE(other.err.find("back.fit.json: the fit does not match this scan"), std::string::npos) << other.err;
 }
 
 TEST_F(FitBody, WhatIsNoBackIsRefusedAndNothingIsWritten) {
@@ -129,7 +129,7 @@ TEST_F(FitBody, WrongInputIsSaidInOneLine) {
            {"body fit scan.ply -o a.toml --at T6=1,2", "three numbers"},
            {"body fit scan.ply -o a.toml --points points.csv", "points.csv:3"},
            {"body fit scan.ply -o a.toml --points none.csv", "none.csv"},
-           {"body fit scan.ply -o a.toml" + at("T6", "L3"), "'T6' contradicts the shape"}}) {
+           {"body fit scan.ply -o a.toml" + at("T6", "L3"), "'T6' differs from the shape"}}) {
     const auto end = palpate(arguments);
     EXPECT_EQ(end.exit_code, 2) << arguments;
     EXPECT_NE(end.err.find(words), std::string::npos) << arguments << ": " << end.err;

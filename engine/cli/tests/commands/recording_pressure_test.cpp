@@ -165,7 +165,7 @@ TEST_F(RecordedLumps, WhatMakesNoSenseIsRefusedInOneLine) {
   EXPECT_NE(said("--pressure 1 --npz a.npz").find("--pressure"), std::string::npos);
   EXPECT_NE(said("--pressure 17 --npz a.npz").find("2 to 16"), std::string::npos);
   EXPECT_NE(said("--pressure 4 --pad-mm 0 --npz a.npz").find("1 to 100"), std::string::npos);
-  EXPECT_NE(said("--pressure 4 --scene a.toml").find("--npz FILE and --csv FILE"), std::string::npos);
+  EXPECT_NE(said("--pressure 4 --scene a.toml").find("--npz FILE or --csv FILE"), std::string::npos);
   EXPECT_NE(said("--pad-mm 20 --npz a.npz").find("--pressure"), std::string::npos);
   std::ofstream(folder_ / "path.csv") << "t_s,x_mm,y_mm,z_mm\n0,0,0,40\n0.2,0,0,15\n";
   succeeds("simulate dome.obj --trajectory path.csv --no-pictures --no-plot --session --out plain");

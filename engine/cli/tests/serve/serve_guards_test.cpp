@@ -163,9 +163,10 @@ TEST_F(ServeOverTls, WrongFilesAreRefusedInOneLine) {
   };
   EXPECT_NE(refusal("--tls-cert " + cert()).find("--tls-key"), std::string::npos);
   EXPECT_NE(refusal("--tls-cert " + key() + " --tls-key " + key()).find("must be a certificate"), std::string::npos);
-  EXPECT_NE(refusal("--tls-cert " + cert() + " --tls-key " + cert()).find("others may read"), std::string::npos);
+  EXPECT_NE(refusal("--tls-cert " + cert() + " --tls-key " + cert()).find("other users can read"), std::string::npos);
   std::filesystem::permissions(cert(), std::filesystem::perms::owner_read);
-  EXPECT_NE(refusal("--tls-cert " + cert() + " --tls-key " + cert()).find("must be the key"), std::string::npos);
+  EXPECT_NE(refusal("--tls-cert " + cert() + " --tls-key " + cert()).find("must be the private key"),
+            std::string::npos);
   std::filesystem::permissions(key(), static_cast<std::filesystem::perms>(0604));
   EXPECT_NE(refusal("--tls-cert " + cert() + " --tls-key " + key()).find("chmod 600"), std::string::npos);
 }

@@ -656,7 +656,8 @@ TEST(Serve, WhatIsUnsafeOrWrongIsRefusedInOneLine) {
   EXPECT_NE(refusal("--port " + port).find("in use"), std::string::npos);
   EXPECT_NE(refusal("--token short").find("16 to 128"), std::string::npos);
   EXPECT_NE(refusal("--token 'sixteen letters!'").find("letters, digits"), std::string::npos);
-  EXPECT_NE(refusal("--token " + kLookToken + " --look-token " + kLookToken).find("the same"), std::string::npos);
+  EXPECT_NE(refusal("--token " + kLookToken + " --look-token " + kLookToken).find("must all be different"),
+            std::string::npos);
   EXPECT_NE(refusal("--token-file open.json").find("chmod 600"), std::string::npos);
   EXPECT_NE(refusal("--origin place.example").find("https://"), std::string::npos);
   EXPECT_NE(refusal("--site empty").find("index.html"), std::string::npos);

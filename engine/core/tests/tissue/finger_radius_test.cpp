@@ -191,7 +191,7 @@ TEST(FingerRadius, ATableIsReadAsItWasWrittenAndAFaultInItNamed) {
   EXPECT_EQ(fault({{4.0, {}, {}}}), "finger 1: depths_mm: at least one value is required");
   EXPECT_EQ(fault({{4.0, {2.0}, {}}}), "finger 1: force_n has 0 numbers for 1 depths");
   EXPECT_EQ(fault({{4.0, {2.0, 2.0}, {0.2, 0.3}}}), "finger 1: depths_mm must increase");
-  EXPECT_EQ(fault({{4.0, {2.0, 3.0}, {0.2, 0.1}}}), "finger 1: force_n must not fall");
+  EXPECT_EQ(fault({{4.0, {2.0, 3.0}, {0.2, 0.1}}}), "finger 1: force_n must not decrease");
   EXPECT_NE(fault({{4.0, {2.0}, {0.0}}}).find("finger 1: force_n, number 1, = 0"), std::string::npos);
 }
 

@@ -39,7 +39,7 @@ TEST(ForceTable, NamesTheLineThatIsWrong) {
                                    {"-2,1\n", "f.csv:1: depth_mm = -2 is out of range: 0 to 1,000,000"},
                                    {"2,x\n", "f.csv:1: force_n is not a number: 'x'"},
                                    {"2,inf\n", "f.csv:1: force_n must be finite, got inf"},
-                                   {"depth_mm,force_n\n", "f.csv: has no row with a depth above 0"}});
+                                   {"depth_mm,force_n\n", "f.csv: requires at least one row with a depth above 0"}});
 }
 
 TEST(ForceTable, HoldsADeclaredNumberOfRows) {

@@ -64,8 +64,8 @@ TEST(LayerStack, NamesTheLayerAndTheNumberThatMakeNoSense) {
   EXPECT_EQ(fault({"fat", 8.0, 0.0}), "layer 2: Young's modulus = 0 is out of range: 0.01 to 1,000,000 kPa");
   EXPECT_EQ(fault({"fat", std::nan(""), 10.0}), "layer 2: thickness = nan is out of range: 0.1 to 500 mm");
   EXPECT_EQ(fault({"fat", 8.0, 10.0}, 0.5), "stack: Poisson's ratio = 0.5 is out of range: 0 to 0.499");
-  EXPECT_NE(fault({"f\"at", 8.0, 10.0}).find("layer 2: 'f\"at' is not a name"), std::string::npos);
-  EXPECT_NE(fault({std::string(41, 'a'), 8.0, 10.0}).find("is not a name"), std::string::npos);
+  EXPECT_NE(fault({"f\"at", 8.0, 10.0}).find("layer 2: 'f\"at' is not a valid name"), std::string::npos);
+  EXPECT_NE(fault({std::string(41, 'a'), 8.0, 10.0}).find("is not a valid name"), std::string::npos);
   EXPECT_EQ(support::thrownMessage([] { check(LayerStack{}); }), "stack: at least one layer is required");
   LayerStack many{.layers = std::vector<Layer>(17, Layer{"fat", 8.0, 10.0})};
   EXPECT_EQ(support::thrownMessage([&] { check(many); }), "stack: expected at most 16 layers");
@@ -110,7 +110,7 @@ TEST(LayeredTable, NamesWhatMakesNoSense) {
   EXPECT_EQ(faultAfter([](auto& t) { t.shapes[1].depth_mm = 2.0; }),
             "shape 2: depth_mm must increase, but 2 follows 2");
   EXPECT_EQ(faultAfter([](auto& t) { t.shapes[1].force_n = 0.3; }),
-            "shape 2: force_n must not fall, but 0.3 follows 0.31");
+            "shape 2: force_n must not decrease, but 0.3 follows 0.31");
   EXPECT_EQ(faultAfter([&](auto& t) { t.shapes[0].outward[1] = not_a_number; }),
             "shape 1: outward, number 2, = nan is out of range: -100 to 100");
   EXPECT_EQ(faultAfter([](auto& t) { t.shapes[0].down[0] = 0.9; }), "shape 1: down begins at 0.9 instead of 1");

@@ -264,7 +264,7 @@ TEST(LumpShape, IsRefusedWhereItCannotBe) {
   lump.half_axes_mm[1] = std::nan("");
   EXPECT_NE(errorMessage(lump).find("half axis = nan is out of range"), std::string::npos);
   EXPECT_NE(errorMessage(ball(10.0, std::nan(""), 5.0)).find("depth_mm = nan"), std::string::npos);
-  EXPECT_NE(errorMessage(ball(10.0, 8.0, 5.0), {{{"muscle", 40.0, 27.0}}, 0.48}).find("needs a skin"),
+  EXPECT_NE(errorMessage(ball(10.0, 8.0, 5.0), {{{"muscle", 40.0, 27.0}}, 0.48}).find("requires a skin layer"),
             std::string::npos);
   EXPECT_EQ(support::thrownMessage([] { LumpEnergy(ball(10.0, 8.0, 5.0), placeStack(40.0, 8.0), {}); }),
             "lump: the press field is missing");

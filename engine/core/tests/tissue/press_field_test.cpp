@@ -79,7 +79,8 @@ TEST(PressField, RefusesWhatMakesNoSense) {
             "field: the rows of layer 2 must go from its top at 2 mm to its bottom at 10 mm");
   EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.row_layers.pop_back(); }),
             "field: row_layers has 3 numbers for 4 rows");
-  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.depths_mm.assign(33, 1.0); }), "field: depths_mm: more than 32");
+  EXPECT_EQ(fieldFaultAfter([](PressField& f) { f.depths_mm.assign(33, 1.0); }),
+            "field: depths_mm: expected at most 32 values");
 }
 
 TEST(PressField, NamesThePlaceOfAFaultInAFile) {

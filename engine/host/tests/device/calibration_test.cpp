@@ -89,11 +89,11 @@ TEST(Calibration, RefusesWhatDoesNotTellAPlace) {
   EXPECT_NE(refusal(straight, kCorners).find("0.0 mm beside"), std::string::npos) << refusal(straight, kCorners);
   const Places near = {Vec3(0, 0, 0), Vec3(5, 0, 0), Vec3(0, 5, 0)};
   EXPECT_NE(refusal(near, kCorners).find("are within 7.1 mm"), std::string::npos) << refusal(near, kCorners);
-  EXPECT_NE(refusal(Places(3, Vec3(1, 1, 1)), kCorners).find("lie within 0.0 mm"), std::string::npos);
+  EXPECT_NE(refusal(Places(3, Vec3(1, 1, 1)), kCorners).find("are within 0.0 mm"), std::string::npos);
   Places none = kCorners;
   none[1].y() = std::nan("");
   EXPECT_NE(refusal(none, kCorners).find("must be finite"), std::string::npos);
-  EXPECT_NE(refusal({kCorners[0], kCorners[1]}, kCorners).find("2 places of the device"), std::string::npos);
+  EXPECT_NE(refusal({kCorners[0], kCorners[1]}, kCorners).find("2 device points"), std::string::npos);
   EXPECT_NE(refusal(kCorners, touched({.axes = Mat3::Identity(), .mm = 25.0}, kCorners)).find("0.05 to 20"),
             std::string::npos);
 }

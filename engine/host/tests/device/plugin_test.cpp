@@ -113,7 +113,7 @@ TEST(Plugin, AFileMayNameOneOfTheFoldersAndNoOther) {
         std::string("plugin:../plugins/libmass.so"), std::string("plugin:libmass.so/"),
         "plugin:" + (folder / "plugins/libmass.so").string(), "plugin:" + (folder / "here.so").string() + ":left"}) {
     const std::string refused = support::thrownMessage([&] { deviceNamedInFile(words); });
-    EXPECT_TRUE(tells(refused, "a file may name a plugin only as it lies in a folder of PALPATE_DEVICE_PLUGINS"))
+    EXPECT_TRUE(tells(refused, "files may name only plugins in a folder of PALPATE_DEVICE_PLUGINS"))
         << words << ": " << refused;
   }
   std::filesystem::current_path(before);

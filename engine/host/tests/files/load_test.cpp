@@ -55,7 +55,7 @@ TEST(Load, FindsTheFormatByContentAndByExtension) {
   EXPECT_EQ(load(folder / "upper.STL").positions.size(), 8u);
   EXPECT_EQ(load(folder / "ply.dat").triangles.size(), 12u);
   writeFile(folder / "notes.txt", "hello");
-  EXPECT_NE(thrownMessage([&] { load(folder / "notes.txt"); }).find("not a mesh file"), std::string::npos);
+  EXPECT_NE(thrownMessage([&] { load(folder / "notes.txt"); }).find("not a supported mesh file"), std::string::npos);
 }
 
 TEST(Load, ConvertsUnits) {
@@ -90,7 +90,7 @@ TEST(Load, OtherFormatsOnlyWhenAskedFor) {
       "2 1 1\n3 0 1\nkids 0\n";
   const support::TemporaryFolder folder;
   writeFile(folder / "square.ac", ac3d);
-  EXPECT_NE(thrownMessage([&] { load(folder / "square.ac"); }).find("not a mesh file"), std::string::npos);
+  EXPECT_NE(thrownMessage([&] { load(folder / "square.ac"); }).find("not a supported mesh file"), std::string::npos);
 #ifndef PALPATE_ASSIMP
   EXPECT_EQ(thrownMessage([&] { load(folder / "square.ac", {.allow_foreign = true}); }),
             (folder / "square.ac").string() + ": this format requires assimp, and palpate was built without it");

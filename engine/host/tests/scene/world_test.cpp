@@ -70,7 +70,7 @@ TEST_F(WorldOf, AMapThatIsTooSteepToSlideOverIsNoted) {
   EXPECT_TRUE(notes("change_percent = 900\n").empty()) << "4.5 N/mm between two vertices 10 mm apart";
   const std::vector<std::string> steep = notes("change_percent = 3000\n");
   ASSERT_EQ(steep.size(), 1u);
-  EXPECT_NE(steep.front().find("let it change over 5 mm or more"), std::string::npos) << steep.front();
+  EXPECT_NE(steep.front().find("spread the change over at least 5 mm"), std::string::npos) << steep.front();
 }
 
 TEST_F(WorldOf, EllipsesAreThePrintedOnesWhereTheSceneSaysSo) {
@@ -239,8 +239,8 @@ TEST_F(WorldOf, NamesWhatCannotBeBuilt) {
   write("dome.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   EXPECT_EQ(messageOfBuild(meshScene()).find((folder_ / "dome.obj").string() + ": "), 0u);
   writeDome("dome.obj");
-  EXPECT_NE(messageOfBuild(meshScene("[stiffness]\nsource = \"depth\"\n")).find("needs bones"), std::string::npos);
-  EXPECT_NE(messageOfBuild(meshScene("[stiffness]\nsource = \"points\"\n")).find("needs key points"),
+  EXPECT_NE(messageOfBuild(meshScene("[stiffness]\nsource = \"depth\"\n")).find("requires bones"), std::string::npos);
+  EXPECT_NE(messageOfBuild(meshScene("[stiffness]\nsource = \"points\"\n")).find("requires key points"),
             std::string::npos);
 }
 
@@ -255,7 +255,7 @@ TEST_F(WorldOf, NotesADoubtfulUnit) {
   writeDome("dome.obj");
   const auto world = build(meshScene("scale = 0.01\n[stiffness]\nsource = \"constant\"\n"));
   ASSERT_FALSE(world->notes.empty());
-  EXPECT_NE(world->notes.back().find("is its unit right?"), std::string::npos);
+  EXPECT_NE(world->notes.back().find("check unit and scale"), std::string::npos);
 }
 
 TEST_F(WorldOf, RebuiltIsWhatBuildingAnewGives) {

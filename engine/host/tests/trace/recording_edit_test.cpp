@@ -269,7 +269,7 @@ TEST_F(RecordingEdit, WhatDoesNotBelongTogetherIsNotJoined) {
   RecordingHeader slow = header();
   slow.ticks_per_s = 500.0;
   RecordingWriter(folder_ / "slow.session", slow, fingers()).finish("done");
-  EXPECT_NE(file_error(folder_ / "slow.session").find("has 500 ticks a second"), std::string::npos);
+  EXPECT_NE(file_error(folder_ / "slow.session").find("has 500 ticks per second"), std::string::npos);
   RecordingWriter(folder_ / "thumb.session", header(), {{"thumb", "script"}}).finish("done");
   EXPECT_NE(file_error(folder_ / "thumb.session").find("has the fingers thumb"), std::string::npos);
   {
@@ -499,7 +499,7 @@ TEST_F(RecordingEdit, OfAFileThatIsCutTheBeginningIsSalvaged) {
     // SQLite writes the rows of a page after what overflows from them: of some ten blocks before the cut only that.
     EXPECT_GT(is.size() + 10 * 150, all.size() * size / sound.size());
     ASSERT_FALSE(repair.notes.empty());
-    EXPECT_NE(repair.notes.back().find("the file's end is missing"), std::string::npos);
+    EXPECT_NE(repair.notes.back().find("the end of the file is missing"), std::string::npos);
   }
 }
 

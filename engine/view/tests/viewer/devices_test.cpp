@@ -389,7 +389,7 @@ TEST(Devices, APluginThatASceneBringsIsNeverLoaded) {
   for (int i = 0; i < 10; ++i) opened.frame();
   EXPECT_FALSE(opened.isAsking());
   ASSERT_FALSE(opened.viewer->state().messages.all().empty());
-  EXPECT_NE(opened.viewer->state().messages.all().back().text.find("a file may name a plugin only"), std::string::npos);
+  EXPECT_NE(opened.viewer->state().messages.all().back().text.find("files may name only plugins"), std::string::npos);
   opened.viewer->state().request(AnswerQuestion{"Open"});
   opened.frame();
   for (const FingerHeld& finger : opened.devices().fingers) EXPECT_TRUE(finger.opening.empty() && finger.words.empty());

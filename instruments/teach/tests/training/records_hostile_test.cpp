@@ -42,7 +42,7 @@ TEST(HostileRecords, AreRefusedWhateverTheyBringAlong) {
       writeFile(file, sound);
       changeRecords(file, sql);
       const std::string message = support::thrownMessage([&] { Store{file, how}; });
-      EXPECT_NE(message.find("which is not of training records that Palpate writes"), std::string::npos)
+      EXPECT_NE(message.find("which is not part of training records written by Palpate"), std::string::npos)
           << sql << ": " << message;
     }
   }

@@ -220,7 +220,7 @@ TEST_F(FitProfile, NamesTheLineOfWhatItCannotRead) {
   write("short.csv", "depth_mm,r_mm,down_mm\n1,0,1\n1,5,0\n");
   EXPECT_EQ(runForError("profile short.csv"),
             "palpate: short.csv: depth 1 mm: 2 different radii; at least 6 are required\n");
-  EXPECT_NE(runForError("profile skin.csv --layer skin").find("a layer is NAME:THICKNESS:MODULUS"), std::string::npos);
+  EXPECT_NE(runForError("profile skin.csv --layer skin").find("expected NAME:THICKNESS:MODULUS"), std::string::npos);
   write("two.csv", "curve,depth_mm,force_n\na,1,1\nb,1,1\n");
   EXPECT_EQ(runForError("profile skin.csv --forces two.csv"),
             "palpate: two.csv: holds several curves; a table of tissue has one\n");
