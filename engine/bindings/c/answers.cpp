@@ -36,7 +36,7 @@ int32_t answerToException(palpate_error* error) noexcept {
   } catch (const Error& refused) {
     return answer(error, PALPATE_REFUSED, refused.what(), refused.line());
   } catch (const std::bad_alloc&) {
-    return answer(error, PALPATE_MEMORY, "there is not enough memory");
+    return answer(error, PALPATE_MEMORY, "not enough memory");
   } catch (const std::exception& failed) {
     return answer(error, PALPATE_FAILED, failed.what());
   } catch (...) {

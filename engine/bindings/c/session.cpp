@@ -49,9 +49,9 @@ struct Room {
   std::size_t filled = 0;
 
   void check(std::size_t fingers) const {
-    require(samples == nullptr || isSize<palpate_sample>(sample_stride), "the stride of the samples is none");
-    require(touches == nullptr || isSize<palpate_touch>(touch_stride), "the stride of the touches is none");
-    require(room >= fingers && room > 0, "there is no room for a tick of every finger");
+    require(samples == nullptr || isSize<palpate_sample>(sample_stride), "the stride of the samples must be sizeof(palpate_sample)");
+    require(touches == nullptr || isSize<palpate_touch>(touch_stride), "the stride of the touches must be sizeof(palpate_touch)");
+    require(room >= fingers && room > 0, "the buffer has no room for one tick of every finger");
   }
   /// False, and nothing is written, where the tick does not fit.
   bool put(std::span<const trace::Sample> tick) noexcept {
@@ -144,7 +144,7 @@ int32_t palpate_session_replay(palpate_session* session, const char* folder, pal
                                palpate_error* error) noexcept {
   return answered(error, [&] {
     require(session != nullptr, "the session is null");
-    require(c_api::isUsable(replay), "recording replay is null, or its size is not set");
+    require(c_api::isUsable(replay), "replay is null, or its size is not set");
     engine::ReplaySettings settings;
     if (folder != nullptr) settings.folder = pathOf(folder);
     c_api::toCaller(c_api::plain(engine::replay(session->reader, settings)), replay);

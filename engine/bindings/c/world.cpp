@@ -24,7 +24,7 @@ scene::Scene parseScene(const char* toml, const char* name) {
 
 /// That many, three each, fit into memory's numbers.
 void checkCount(std::size_t count) {
-  require(count < std::numeric_limits<Index>::max(), "arrays: more than 32-bit indices can name");
+  require(count < std::numeric_limits<Index>::max(), "arrays: too many vertices or triangles for 32-bit indices");
 }
 
 template <class Real, class Integer>
@@ -45,9 +45,9 @@ engine::WorldFromArrays built(const Real* positions, const palpate_arrays& array
 
 palpate_world* worldFrom(const palpate_arrays& arrays) {
   require((arrays.positions_mm == nullptr) != (arrays.positions_mm_f32 == nullptr),
-          "arrays: exactly one of positions_mm and positions_mm_f32 is given");
+          "arrays: exactly one of positions_mm and positions_mm_f32 must be given");
   require((arrays.corners == nullptr) != (arrays.corners_i64 == nullptr),
-          "arrays: exactly one of corners and corners_i64 is given");
+          "arrays: exactly one of corners and corners_i64 must be given");
   checkCount(arrays.vertices);
   checkCount(arrays.triangles);
   return makeHandle(arrays.positions_mm != nullptr ? built(arrays.positions_mm, arrays)

@@ -37,7 +37,7 @@ void measure(const std::string& words, const DevicesOptions& options, const Prog
   try {
     const device::Device device = device::openNamed(words, {});
     if (!device.capabilities.takes_force) {
-      finding.why_nothing = "it takes no force";
+      finding.why_nothing = "it does not render forces";
       return;
     }
     finding.capabilities = device.capabilities;
@@ -64,7 +64,7 @@ DeviceFinding examineDevice(const std::string& words, const DevicesOptions& opti
   if (finding.probe.available && hardware) {
     measure(words, options, progress, finding);
   } else {
-    finding.why_nothing = !finding.probe.available ? "it is not here" : "it is no hardware; its values lie in memory";
+    finding.why_nothing = !finding.probe.available ? "it is not here" : "it is not hardware; its values are in memory";
   }
   return finding;
 }

@@ -79,13 +79,13 @@ void waitWithoutForce(const device::Device& device, double seconds) {
 }
 
 void promptRelease(const IdentifySettings& settings, const device::Device& device, int round) {
-  instructUser(settings, fmt::format("{} {} in the middle of its reach, so that it stays there when you let go.",
+  instructUser(settings, fmt::format("{} {} in the middle of its workspace, so that it stays there when released.",
                                      round == 0 ? "Hold" : "Again: hold", device.name));
   for (int left = kCountdownS; left > 0; --left) {
-    instructUser(settings, fmt::format("  let go in {} s", left));
+    instructUser(settings, fmt::format("  release it in {} s", left));
     waitWithoutForce(device, 1.0);
   }
-  instructUser(settings, "  let go, and keep off until it stands still");
+  instructUser(settings, "  release it, and do not touch it until it is at rest");
   waitWithoutForce(device, 1.0);
 }
 
@@ -160,8 +160,7 @@ std::string formatSafetyLines(const Identified& found) {
 std::string textOf(const Identified& found) {
   const DeviceIdentification& middle = found.middle;
   const DeviceIdentification& spread = found.spread;
-  std::string text =
-      fmt::format("{}: the median of {} rounds, and how far they lie apart\n", found.model, found.rounds.size());
+  std::string text = fmt::format("{}: median of {} rounds, and their spread\n", found.model, found.rounds.size());
   text += fmt::format("  mass       {:.4f} kg       ({:.4f})\n", middle.mass_kg, spread.mass_kg);
   text += fmt::format("  damping    {:.3f} N s/m    ({:.3f})\n", 1e3 * middle.damping_n_s_per_mm,
                       1e3 * spread.damping_n_s_per_mm);
@@ -170,7 +169,7 @@ std::string textOf(const Identified& found) {
   text += fmt::format("  delay      {:.2f} ticks    ({:.2f})\n", middle.delay_ticks, spread.delay_ticks);
   text += fmt::format("  left over  {:.3f} mm, rms\n", middle.residual_mm);
   if (middle.residual_mm > kDoubtful || middle.damping_n_s_per_mm < 0.0) {
-    text += "  doubtful   it did not move like a device that is let go: was it touched, or at a stop?\n";
+    text += "  doubtful   it did not move like a released device; it may have been touched, or at a mechanical stop\n";
   }
   return text + "\nFor the scene:\n\n[safety]\n" + formatSafetyLines(found);
 }

@@ -21,7 +21,7 @@ Option* addDeviceOption(Command& command, std::vector<std::string>& names, const
   };
   return command
       .add_option("--device", names,
-                  fmt::format("{}: {}, with :WHICH behind it for one of several (docs/reference/devices.md)", help,
+                  fmt::format("{}: {}, followed by :WHICH for one of several (docs/reference/devices.md)", help,
                               fmt::join(device::backEndNames(), ", ")))
       ->type_name("NAME[:WHICH]")
       ->check(known)

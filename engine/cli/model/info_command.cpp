@@ -129,9 +129,9 @@ std::string sizeWarning(const ValidationReport& report) {
   for (const Unit& unit : kUnits) {
     const Eigen::AlignedBox3d box(unit.factor * report.box.min(), unit.factor * report.box.max());
     if (mesh::hasDoubtfulSize(box)) continue;
-    return text + fmt::format("If these are {}, say --unit {}", unit.name, unit.word);
+    return text + fmt::format("If these are {}, use --unit {}", unit.name, unit.word);
   }
-  return text + "--unit says how long a unit of the file is";
+  return text + "set the unit of the file with --unit";
 }
 
 /// A body as long as one but thinner than any: one axis has another scale.
@@ -155,13 +155,14 @@ std::vector<std::string> collectWarnings(const ValidationReport& report, std::ve
 
 const char* verdictOn(const ValidationReport& report) {
   if (report.fit() && report.doubtful_parts.count > 0) {
-    return "fit to be felt as it is; if it is inside out, `palpate body repair --turn-over doubtful` turns it\n";
+    return "fit for contact as it is; if it is inside out, flip it with `palpate body repair --turn-over doubtful`\n";
   }
   if (report.fit()) {
-    return collectWarnings(report).empty() ? "fit to be felt as it is\n" : "fit to be felt, if that is its true size\n";
+    return collectWarnings(report).empty() ? "fit for contact as it is\n"
+                                           : "fit for contact, if that is its true size\n";
   }
-  return report.sound() ? "fit to be felt but for its small holes, which repair fills (done when it is used)\n"
-                        : "needs repair before it can be felt (done when it is used)\n";
+  return report.sound() ? "fit for contact except for small holes, which repair fills (done automatically on use)\n"
+                        : "needs repair before contact (done automatically on use)\n";
 }
 
 // --- as text, as JSON ---

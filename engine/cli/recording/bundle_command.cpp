@@ -99,7 +99,7 @@ void print(const BundleArguments& arguments, const engine::BundleReport& report)
     return;
   }
   std::string text =
-      fmt::format("{}: {} samples, {} files that the scene names; `palpate recording replay` needs nothing else\n",
+      fmt::format("{}: {} samples, {} files of the scene; `palpate recording replay` needs no other files\n",
                   arguments.out.string(), report.samples, report.files.size());
   for (const auto& file : report.files) text += fmt::format("  file  {}, {} bytes\n", file.name, file.bytes);
   for (const std::string& note : report.notes) text += "  note  " + note + "\n";

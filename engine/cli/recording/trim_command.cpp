@@ -38,12 +38,12 @@ std::string textOf(const TrimArguments& arguments, const trace::Trimmed& trimmed
                                  static_cast<double>(copied.last_tick) / ticks_per_s);
   if (trimmed.earlier_ticks > 0) {
     text += fmt::format(
-        "  note  it begins {:.3f} s earlier, where every finger was last at rest: all of it can be felt again "
-        "(--exact: just there)\n",
+        "  note  it begins {:.3f} s earlier, where every finger was last at rest, so that all of it can be replayed "
+        "(--exact begins at --from)\n",
         static_cast<double>(trimmed.earlier_ticks) / ticks_per_s);
   }
   if (!trimmed.not_at_rest.empty()) {
-    text += fmt::format("  note  not at rest where it begins: {}; a replay proves nothing of it until it is\n",
+    text += fmt::format("  note  not at rest at the beginning: {}; a replay cannot verify it until it is\n",
                         joinNotAtRest(trimmed));
   }
   return text;

@@ -57,9 +57,8 @@ Json differenceJson(const engine::ReplayReport& report) {
 }
 
 std::string textOf(const ReplayArguments& arguments, const engine::ReplayReport& report, double times_real_time) {
-  std::string text =
-      fmt::format("{}: {} samples felt again, {:.0f} times as fast as real time once the body was built\n",
-                  arguments.file.string(), report.ticks, times_real_time);
+  std::string text = fmt::format("{}: {} samples replayed, {:.0f} times as fast as real time once the body was built\n",
+                                 arguments.file.string(), report.ticks, times_real_time);
   for (const std::string& note : report.notes) text += "  note       " + note + "\n";
   for (const std::string& gap : report.gaps) text += "  unproven   " + gap + "\n";
   if (report.ticks == 0) return text + "  nothing    could be compared\n";

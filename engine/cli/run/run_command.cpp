@@ -185,7 +185,7 @@ std::filesystem::path recordingFolder(const RunOptions& options) {
 /// An unreadable file must fail before the window opens.
 void checkReplays(const RunOptions& options) {
   if (!options.beside.empty() && !trace::isRecording(pathOf(options.replay))) {
-    throw Error("--beside is for a recording beside that of --replay");
+    throw Error("--beside requires --replay with a recording");
   }
   for (const std::string& file : {options.replay, options.beside}) {
     if (file.empty()) continue;

@@ -34,9 +34,10 @@ std::string FingerControl::handleRequest(WatcherId who, Role role, const Request
   if (const auto* to = std::get_if<Point>(&request)) return point(who, role, *to, now_s);
   if (std::holds_alternative<Take>(request)) return acquireControl(who, role, now_s);
   if (const auto* halt = std::get_if<Pause>(&request)) return pause(role, halt->on, now_s);
-  if (std::holds_alternative<Say>(request)) return role == Role::instruct ? "" : "only who instructs writes to all";
+  if (std::holds_alternative<Say>(request))
+    return role == Role::instruct ? "" : "only an instructor can message everyone";
   if (std::holds_alternative<Listen>(request)) return {};
-  if (who != holder_) return "somebody else has the finger";
+  if (who != holder_) return "another user controls the finger";
   if (const auto* lift = std::get_if<Lift>(&request)) {
     if (lift->finger >= hands_.size()) return "no such finger";
     release(lift->finger, now_s);
@@ -49,7 +50,7 @@ std::string FingerControl::handleRequest(WatcherId who, Role role, const Request
 std::string FingerControl::acquireControl(WatcherId who, Role role, double now_s) {
   if (role < Role::control) return "this token is for looking on";
   if (who == holder_) return {};
-  if (holder_ != 0 && role != Role::instruct) return "somebody else has the finger";
+  if (holder_ != 0 && role != Role::instruct) return "another user controls the finger";
   releaseAll(now_s);
   holder_ = who;
   holder_heard_s_ = now_s;
@@ -59,10 +60,10 @@ std::string FingerControl::acquireControl(WatcherId who, Role role, double now_s
 std::string FingerControl::point(WatcherId who, Role role, const Point& request, double now_s) {
   if (role < Role::control) return "this token is for looking on";
   if (request.finger >= hands_.size()) return "no such finger";
-  if (!fingers_[request.finger].device.empty()) return "a device holds this finger";
-  if (paused_) return "paused by who instructs";
+  if (!fingers_[request.finger].device.empty()) return "a device moves this finger";
+  if (paused_) return "paused by the instructor";
   if (holder_ == 0) acquireControl(who, role, now_s);
-  if (who != holder_) return "somebody else has the finger";
+  if (who != holder_) return "another user controls the finger";
   const Vec3 margin = Vec3::Constant(limits_.margin_mm);
   if (!Box3(body_.min() - margin, body_.max() + margin).contains(request.place)) return "the place is not on the body";
   Hand& hand = hands_[request.finger];
@@ -104,7 +105,7 @@ void FingerControl::releaseAll(double now_s) {
 }
 
 std::string FingerControl::pause(Role role, bool on, double now_s) {
-  if (role != Role::instruct) return "only who instructs pauses";
+  if (role != Role::instruct) return "only an instructor can pause";
   if (std::exchange(paused_, on) == on) return {};
   if (on) releaseAll(now_s);
   if (halt_) halt_(on);

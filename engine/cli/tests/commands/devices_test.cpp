@@ -87,7 +87,7 @@ TEST(Devices, TheDoctorSaysWhyItMeasuredNothing) {
   for (const char* name : {"script", "mouse"}) {
     const support::CommandResult result = support::runPalpate(std::string("devices --doctor --device ") + name);
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_NE(result.out.find("  measured   nothing: it is no hardware"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("  measured   nothing: it is not hardware"), std::string::npos) << result.out;
     const json finding = findings(std::string("--doctor --device ") + name).begin()->second;
     EXPECT_TRUE(finding["measured"].is_null());
     EXPECT_NE(finding["not_measured"], "");

@@ -94,10 +94,10 @@ TEST_F(MeshCommands, InfoDoubtsTheSizeAndNamesTheUnitThatWouldFit) {
   mesh::save(folder / "small.obj", zoo::cube(0.3));
   const auto small = palpate("body info small.obj");
   EXPECT_NE(small.out.find("warning     0.3 0.3 0.3 mm is small for a body"), std::string::npos) << small.out;
-  EXPECT_NE(small.out.find("If these are metres, say --unit m"), std::string::npos) << small.out;
+  EXPECT_NE(small.out.find("If these are metres, use --unit m"), std::string::npos) << small.out;
   const auto in_metres = nlohmann::json::parse(palpate("body info small.obj --unit m --json").out);
   EXPECT_TRUE(in_metres["warnings"].empty());
-  EXPECT_NE(small.out.find("fit to be felt, if that is its true size"), std::string::npos) << small.out;
+  EXPECT_NE(small.out.find("fit for contact, if that is its true size"), std::string::npos) << small.out;
   const auto by_number = nlohmann::json::parse(palpate("body info small.obj --unit 1000 --json").out);
   EXPECT_EQ(by_number["box"], in_metres["box"]);
   const auto old_name = palpate("body info small.obj --unit-mm 1000 --json");

@@ -23,7 +23,7 @@ struct WrittenFile {
 };
 
 constexpr WrittenFile kCubes[] = {
-    {"obj_two_corner.obj", "a face of fewer than 3 corners is passed over"},
+    {"obj_two_corner.obj", "a face with fewer than 3 corners is skipped"},
     {"obj_cont_glued.obj", ""},
     {"obj_cont_vertex_glued.obj", ""},
     {"obj_o_g.obj", "", " --group body"},
@@ -31,10 +31,10 @@ constexpr WrittenFile kCubes[] = {
     {"obj_bom.obj", ""},
     {"obj_bom_v.obj", ""},
     {"off_glued.off", ""},
-    {"ply_extra_col.ply", "the row has more values than the header names: they are passed over (6 times)"},
-    {"ply_extra_col_v.ply", "the row has more values than the header names: they are passed over (8 times)"},
-    {"stl_tail.stl", "92 bytes behind the 12 triangles are passed over"},
-    {"stl_solid_tail.stl", "92 bytes behind the 12 triangles are passed over"},
+    {"ply_extra_col.ply", "the row has more values than the header declares; they are skipped (6 times)"},
+    {"ply_extra_col_v.ply", "the row has more values than the header declares; they are skipped (8 times)"},
+    {"stl_tail.stl", "92 bytes after the 12 triangles are skipped"},
+    {"stl_solid_tail.stl", "92 bytes after the 12 triangles are skipped"},
     {"stl_upper.stl", ""},
     {"stl_title.stl", ""}};
 

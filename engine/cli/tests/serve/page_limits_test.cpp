@@ -113,14 +113,14 @@ TEST(PageFinger, IsNoFartherThanThirtyMillimetresFromTheBody) {
 TEST(PageFinger, IsOneHoldersAtATime) {
   PageFinger page;
   page.press(0.0);
-  EXPECT_EQ(page.control.handleRequest(kOther, Role::control, Take{}, 0.1), "somebody else has the finger");
-  EXPECT_EQ(page.control.handleRequest(kOther, Role::control, Lift{}, 0.1), "somebody else has the finger");
+  EXPECT_EQ(page.control.handleRequest(kOther, Role::control, Take{}, 0.1), "another user controls the finger");
+  EXPECT_EQ(page.control.handleRequest(kOther, Role::control, Lift{}, 0.1), "another user controls the finger");
   EXPECT_EQ(page.control.handleRequest(kOther, Role::look, Take{}, 0.1), "this token is for looking on");
   EXPECT_TRUE(page.target.pressed);
   EXPECT_EQ(page.control.handleRequest(kOther, Role::instruct, Take{}, 0.2), "");
   EXPECT_EQ(page.control.holder(), kOther);
   EXPECT_FALSE(page.target.pressed);
-  EXPECT_EQ(page.press(0.3), "somebody else has the finger");
+  EXPECT_EQ(page.press(0.3), "another user controls the finger");
   page.control.left(kPage, 0.3);
   EXPECT_EQ(page.control.holder(), kOther) << "who has nothing leaves nothing";
   page.control.left(kOther, 0.4);
@@ -130,11 +130,11 @@ TEST(PageFinger, IsOneHoldersAtATime) {
 TEST(PageFinger, IsLiftedWhereWhoInstructsPauses) {
   PageFinger page;
   page.press(0.0);
-  EXPECT_EQ(page.control.handleRequest(kPage, Role::control, Pause{true}, 0.1), "only who instructs pauses");
+  EXPECT_EQ(page.control.handleRequest(kPage, Role::control, Pause{true}, 0.1), "only an instructor can pause");
   EXPECT_TRUE(page.target.pressed);
   EXPECT_EQ(page.control.handleRequest(kOther, Role::instruct, Pause{true}, 0.1), "");
   EXPECT_FALSE(page.target.pressed);
-  EXPECT_EQ(page.press(0.2), "paused by who instructs");
+  EXPECT_EQ(page.press(0.2), "paused by the instructor");
   EXPECT_EQ(page.control.handleRequest(kOther, Role::instruct, Pause{true}, 0.2), "");
   EXPECT_EQ(page.control.handleRequest(kOther, Role::instruct, Pause{false}, 0.3), "");
   EXPECT_EQ(page.halts, (std::vector<bool>{true, false})) << "devices too, once each";
@@ -149,7 +149,7 @@ TEST(PageFinger, AFingerThatIsNotThereOrThatADeviceHoldsIsRefused) {
   FingerControl control({{"left", 8.0, "touch"}, {"right", 6.0, ""}}, Box3(Vec3::Constant(-50.0), Vec3::Constant(50.0)),
                         [&](std::size_t, const device::FingerTarget& to) { target = to; });
   EXPECT_TRUE(control.hasFreeFinger());
-  EXPECT_EQ(control.handleRequest(kPage, Role::control, Point{0, true}, 0.0), "a device holds this finger");
+  EXPECT_EQ(control.handleRequest(kPage, Role::control, Point{0, true}, 0.0), "a device moves this finger");
   EXPECT_EQ(control.handleRequest(kPage, Role::control, Point{2, true}, 0.0), "no such finger");
   EXPECT_EQ(control.handleRequest(kPage, Role::control, Point{1, true}, 0.0), "");
   EXPECT_EQ(target.radius_mm, 6.0);

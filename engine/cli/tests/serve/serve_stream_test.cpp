@@ -111,7 +111,7 @@ TEST(Serve, ADeviceKeepsItsFingerAndPagesHaveTheOther) {
   EXPECT_EQ(hello["fingers"][0]["device"], "hand");
   EXPECT_EQ(hello["fingers"][1]["device"], "");
   hand.say(press());
-  EXPECT_NE(hand.receiveText("refused").value_or("").find("a device holds this finger"), std::string::npos);
+  EXPECT_NE(hand.receiveText("refused").value_or("").find("a device moves this finger"), std::string::npos);
 
   constexpr int kRight = 1;
   std::optional<engine::StreamedFrame> pressed;

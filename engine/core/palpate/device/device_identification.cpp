@@ -229,7 +229,7 @@ const char* Swings::refusal(std::uint64_t tick, const Vec3& tip) const noexcept 
   if (step > kMaxSpeed * plan_.tick_s * gap) return "it moved too fast";
   if (static_cast<double>(tick) * plan_.tick_s >= kLongestS) return "it took too long";
   const bool restless = !swinging_ && static_cast<double>(phase_ticks_) * plan_.tick_s > kLongestRestS;
-  return restless ? "it does not come to rest: it is held, or not in balance" : nullptr;
+  return restless ? "it does not come to rest; it is held, or not balanced" : nullptr;
 }
 
 /// Ticks that were left out: the force stayed, the device went on its way.

@@ -102,7 +102,7 @@ class Repairing {
     report(progress_, "repairing", 0.3);
     const DoubledRemoved removed = removeDoubled(result_.mesh);
     noteDropped("duplicate triangles dropped", removed.duplicates);
-    note("opposite pairs of triangles cancelled beside the one that is left over", removed.cancelled,
+    note("opposite pairs of triangles cancelled next to the remaining one", removed.cancelled,
          -2 * toSigned(removed.cancelled));
     note("opposite pairs of triangles removed (fins without thickness)", removed.opposite_pairs,
          -2 * toSigned(removed.opposite_pairs));
@@ -146,8 +146,8 @@ class Repairing {
            open.doubtful.size() + (options_.turn_over == TurnOver::open ? open.as_given.size() : 0));
     } else if (!open.doubtful.empty()) {
       result_.warnings.push_back(
-          fmt::format("{} open part{} may be inside out (first triangle: {}): felt from the inside "
-                      "of its bowl; `palpate body repair --turn-over doubtful` turns it if the outside is meant",
+          fmt::format("{} open part{} may be inside out (first triangle: {}): touched from the inside of its bowl; "
+                      "flip with `palpate body repair --turn-over doubtful` if the outside is meant",
                       open.doubtful.size(), open.doubtful.size() == 1 ? "" : "s", open.doubtful[0][0]));
     }
   }

@@ -177,7 +177,7 @@ std::vector<SolvedPush> solvedOrFail(const LumpSettings& lump, const tissue::Lum
     fail(lump, error.what());
   }
   if (pushes) return *std::move(pushes);
-  fail(lump, "is not solved yet: [tissue] lumps = \"solved\" needs `palpate lump solve` of this scene first");
+  fail(lump, "is not solved yet; for [tissue] lumps = \"solved\" run `palpate lump solve` on this scene first");
 }
 
 /// Everything that the table of a lump depends on.

@@ -240,8 +240,8 @@ double stableStiffness(double tick_s, double delay_ticks, const device::DevicePr
 std::string refusalReason(const device::DeviceProfile& profile, double tick_s, double delay_ticks) {
   if (stableStiffness(tick_s, delay_ticks, profile) > 0.0) return {};
   return fmt::format(
-      "no stiffness is stable at {:.4g} Hz with {:.3g} ticks of delay on {}; set `ticks_per_s` higher, or "
-      "`[safety] delay_ticks` lower where it is less (docs/explanation/safety.md)",
+      "no stiffness is stable at {:.4g} Hz with {:.3g} ticks of delay on {}; increase `ticks_per_s`, or reduce "
+      "`[safety] delay_ticks` if the real delay is less (docs/explanation/safety.md)",
       1.0 / tick_s, delay_ticks, isHeavy(profile) ? "this device" : "a device this light or unknown");
 }
 
@@ -292,24 +292,25 @@ std::vector<std::string> safetyNotes(const scene::SafetySettings& asked, const d
   }
   if (asked.stiffness_cap_n_per_mm > cap) {
     note(
-        fmt::format("stiffness_cap_n_per_mm = {:.3g} is more than device, rate and delay keep at rest: {:.3g} N/mm "
-                    "holds; only --unsafe-stiffness allows more",
+        fmt::format("stiffness_cap_n_per_mm = {:.3g} is more than device, rate and delay can render stably; limited to "
+                    "{:.3g} N/mm, only --unsafe-stiffness allows more",
                     asked.stiffness_cap_n_per_mm, cap));
   }
   if (asked.nominal_force_n > force_n) {
-    note(fmt::format("nominal_force_n = {:.3g} is more than {} takes: {:.3g} N holds{}", asked.nominal_force_n,
-                     profile.known ? "the device" : "an unknown device", force_n,
+    note(fmt::format("nominal_force_n = {:.3g} is more than {} can render; limited to {:.3g} N{}",
+                     asked.nominal_force_n, profile.known ? "the device" : "an unknown device", force_n,
                      profile.known ? "" : ", the weakest known device's"));
   }
   if (held.delay_ticks > asked.delay_ticks) {
-    note(fmt::format("delay_ticks = {:.3g} is less than the device's own: {:.3g} holds", asked.delay_ticks,
+    note(fmt::format("delay_ticks = {:.3g} is less than the device's own; using {:.3g}", asked.delay_ticks,
                      held.delay_ticks));
   }
   for (const Guard& guard : kGuards) {
     const double value = held.*guard.member;
     const bool heeded = guard.member != &scene::SafetySettings::ramp_s || asked.start == scene::StartRule::ramp;
     if (heeded && value != asked.*guard.member) {
-      note(fmt::format("{} = {:.3g} is too loose for a hand: {:.3g} holds", guard.key, asked.*guard.member, value));
+      note(fmt::format("{} = {:.3g} is too large for a device held by hand; limited to {:.3g}", guard.key,
+                       asked.*guard.member, value));
     }
   }
   if (held.passivity != asked.passivity) note("passivity = false: on a device it stays on");

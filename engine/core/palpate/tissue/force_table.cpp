@@ -22,7 +22,7 @@ constexpr NumberRange kDepthsAndForces{0.0, 1e6};
 [[noreturn]] void fail(const CsvRow& row, std::string_view cause) { throw Error::atLine(row.file, row.line, cause); }
 
 void append(ForceTable& table, const CsvRow& row) {
-  if (row.fields.size() != 2) fail(row, fmt::format("needs depth_mm,force_n but has {} fields", row.fields.size()));
+  if (row.fields.size() != 2) fail(row, fmt::format("expected depth_mm,force_n, found {} fields", row.fields.size()));
   const double depth = csvNumber(row, 0, "depth_mm", kDepthsAndForces);
   const double force = csvNumber(row, 1, "force_n", kDepthsAndForces);
   if (table.rows == 0 && depth == 0.0) {

@@ -68,8 +68,8 @@ double defaultModulus(std::string_view tissue) {
 }
 
 std::string_view moduliCaveat() {
-  return "The defaults bracket people, they represent nobody: published stiffness of one tissue spreads over two to "
-         "three powers of ten with method, load and person.";
+  return "The defaults are within the range of people, but represent no individual: published stiffness of one tissue "
+         "varies by a factor of 100 to 1000 with method, load and person.";
 }
 
 }  // namespace palpate::tissue

@@ -34,7 +34,7 @@ TEST(ForceTable, IsReadFromAFile) {
 TEST(ForceTable, NamesTheLineThatIsWrong) {
   support::expectEach(messageFor, {{"2,1\n2,3\n", "f.csv:2: depth_mm must increase, but 2 follows 2"},
                                    {"2,1\n3,0.5\n", "f.csv:2: force_n must not decrease, but 0.5 follows 1"},
-                                   {"\n2\n", "f.csv:2: needs depth_mm,force_n but has 1 fields"},
+                                   {"\n2\n", "f.csv:2: expected depth_mm,force_n, found 1 fields"},
                                    {"0,1\n", "f.csv:1: force_n must be 0 at depth 0"},
                                    {"-2,1\n", "f.csv:1: depth_mm = -2 is out of range: 0 to 1,000,000"},
                                    {"2,x\n", "f.csv:1: force_n is not a number: 'x'"},

@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array kBackEnds = {
     BackEnd{"mouse", "the pointer over the skin in the window", probeMouse, openMouse, 2.0, true},
-    BackEnd{"script", "the paths that a scene gives its fingers", probeScript, openScript, 2.0, true},
+    BackEnd{"script", "the paths of a scene's fingers", probeScript, openScript, 2.0, true},
     BackEnd{"playback", "a trajectory or a recorded run: playback:FILE", probePlayback, openPlayback},
     BackEnd{"hand", "a simulated hand on a simulated device: hand:stylus_z,touch_x", probeHand, openHand, 2.0, true},
     BackEnd{"openhaptics", "Touch, Omni, Desktop, Premium: the maker's libHD", probeOpenHaptics, openOpenHaptics},

@@ -35,7 +35,7 @@ void TomlTable::read(const char* key, double& value, const NumberRange& range) c
   const TomlNode* found = table_.get(key);
   if (found == nullptr) return;
   const auto number = found->number();
-  if (!number) fail(*found, fmt::format("{} takes a number", key));
+  if (!number) fail(*found, fmt::format("{} must be a number", key));
   if (!range.holds(*number)) {
     fail(*found, fmt::format("{} = {}", key, outOfRange(fmt::format("{:g}", *number), range)));
   }
@@ -47,14 +47,14 @@ void TomlTable::read(const char* key, int& value, const NumberRange& range) cons
   double number = value;
   read(key, number, range);
   if (found != nullptr && found->kind() != TomlNode::Kind::whole)
-    fail(*found, fmt::format("{} takes a whole number", key));
+    fail(*found, fmt::format("{} must be a whole number", key));
   value = static_cast<int>(number);
 }
 
 void TomlTable::read(const char* key, bool& value) const {
   const TomlNode* found = table_.get(key);
   if (found == nullptr) return;
-  if (found->kind() != TomlNode::Kind::flag) fail(*found, fmt::format("{} takes true or false", key));
+  if (found->kind() != TomlNode::Kind::flag) fail(*found, fmt::format("{} must be true or false", key));
   value = found->flag().value_or(value);
 }
 

@@ -72,9 +72,9 @@ int openFlags(Database::Mode mode) {
 std::string wordsFor(sqlite3* database) {
   if (database == nullptr) return "out of memory";
   const int code = ::sqlite3_errcode(database) & 0xff;  // without what it extends
-  if (code == SQLITE_CORRUPT) return "is damaged; `palpate body repair` salvages what is left of a recording";
+  if (code == SQLITE_CORRUPT) return "is damaged; `palpate body repair` recovers what is left of a recording";
   if (code == SQLITE_NOTADB) return "is not a recording file";
-  if (code == SQLITE_INTERRUPT) return "takes longer to read than a file of its size can need: it is not read further";
+  if (code == SQLITE_INTERRUPT) return "takes longer to read than a file of its size should; reading was stopped";
   const int told = ::sqlite3_system_errno(database);  // 0 where it has been forgotten on the way here
   const int reason = code == SQLITE_FULL ? ENOSPC : told != 0 ? told : errno;
   const bool of_the_system = code == SQLITE_FULL || code == SQLITE_IOERR || code == SQLITE_CANTOPEN;

@@ -269,7 +269,7 @@ class Chain {
     for (std::size_t i = 0; i < facts.fingers.size(); ++i) {
       if (facts.fingers[i].device == first_.fingers[i].device) continue;
       const std::string note =
-          fmt::format("in {} {} was held by {}", name, facts.fingers[i].name, facts.fingers[i].device);
+          fmt::format("in {} {} was moved by {}", name, facts.fingers[i].name, facts.fingers[i].device);
       writer_.add(RecordingEvent{joined_.begins.back(), static_cast<std::uint32_t>(i), "device", note});
       joined_.notes.push_back(note);
     }

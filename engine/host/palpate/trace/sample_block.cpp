@@ -219,7 +219,7 @@ std::vector<Sample> unpackSamples(std::string_view bytes, std::uint32_t crc32, s
     plane += column.width() * rows;
   }
   for (Sample& sample : samples) {
-    if (sample.contact.touch > contact::Touch::slip) throw Error("a block holds a state of contact that there is not");
+    if (sample.contact.touch > contact::Touch::slip) throw Error("a block contains an invalid contact state");
     sample.finger = finger;
   }
   return samples;

@@ -107,7 +107,7 @@ TEST_F(Haply, RefusesVersionsThatItDoesNotKnow) {
 TEST_F(Haply, SaysWhatIsOddAboutAService) {
   const std::pair<unsigned, const char*> oddities[] = {{doubles::kHangsUp, "no service answers"},
                                                        {doubles::kNoWebSocket, "handshake was declined"},
-                                                       {doubles::kOddSnapshot, "tells no devices"}};
+                                                       {doubles::kOddSnapshot, "lists no devices"}};
   for (const auto& [refusal, words] : oddities) {
     bench.control().refusal = refusal;
     const Probe probe = probed();

@@ -129,7 +129,7 @@ TEST(Plugin, AFileOfAPlainNameIsTheOneInThisFolder) {
 TEST(Plugin, SaysWhyATableWillNotDo) {
   HardwareBench bench(pluginHardware());
   const std::pair<unsigned, const char*> refusals[] = {
-      {2, "gives no table"}, {3, "written for version 99"}, {4, "has 16 bytes"}, {5, "lacks read"}};
+      {2, "returns no table"}, {3, "written for version 99"}, {4, "has 16 bytes"}, {5, "lacks read"}};
   for (const auto& [refusal, words] : refusals) {
     bench.control().refusal = refusal;
     const Probe probe = probedPlugin(doubleFile());

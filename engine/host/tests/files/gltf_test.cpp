@@ -178,7 +178,7 @@ TEST(GltfBuffers, OfAGlbMayBePaddedWithZerosAndFollowedByBytes) {
   const std::string glb = support::glbAround(json, "");
   EXPECT_EQ(loadFromMemory(glb, Format::glb, "x").triangles.size(), 12u);
   const auto followed = loadWithChannelsFromMemory(glb + "abc", Format::glb, "x");
-  EXPECT_EQ(followed.notes, std::vector<std::string>{"x: left out: bytes behind the end of the GLB (3)"});
+  EXPECT_EQ(followed.notes, std::vector<std::string>{"x: left out: bytes after the end of the GLB (3)"});
 }
 
 // --- accessors ---
@@ -245,7 +245,7 @@ TEST(GltfPose, JointsCarryVerticesByTheirWeights) {
 TEST(GltfPose, WrongJointsAreRefused) {
   const OneTriangle triangle = skinnedTriangle({1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0});
   EXPECT_EQ(gltfRefusal(changed(triangle.json(), R"("joints":[1,2])", R"("joints":[1])")),
-            "x:1: joint 1 is none of the skin's 1");
+            "x:1: joint 1 is out of range; the skin has 1");
   EXPECT_EQ(gltfRefusal(changed(triangle.json(), R"("WEIGHTS_0")", R"("WEIGHTS_1")")),
             "x:1: a skinned primitive without JOINTS_0 and WEIGHTS_0");
   EXPECT_EQ(gltfRefusal(changed(triangle.json(), R"({"translation":[0,10,0]})", R"({"children":[2]})")),
@@ -280,7 +280,7 @@ TEST(GltfNeeds, AnUnknownRequiredExtensionIsNamedBeforeBuffersAreRead) {
   EXPECT_NE(packed.find("geometry compressed with EXT_meshopt_compression cannot be read"), std::string::npos);
   const std::string missing = changed(OneTriangle{.root = R"(,"extensionsRequired":["ACME_shape"])"}.json(),
                                       "data:application/gltf-buffer;base64,", "gone.bin?");
-  EXPECT_EQ(gltfRefusal(missing), "x:1: the file needs the extension ACME_shape, which cannot be read");
+  EXPECT_EQ(gltfRefusal(missing), "x:1: the file requires the extension ACME_shape, which is not supported");
   EXPECT_EQ(gltfRefusal(OneTriangle{.root = R"(,"extensionsRequired":["KHR_draco_mesh_compression"])"}.json()),
             "x:1: geometry compressed with KHR_draco_mesh_compression cannot be read");
   EXPECT_EQ(
@@ -337,8 +337,9 @@ TEST(GltfNeeds, StripsAndFansAreReadAndHalfATriangleIsRefused) {
 TEST(LeftOut, ShapesThatAreNoTrianglesAreToldInEveryFormat) {
   const auto obj = loadWithChannelsFromMemory("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\np 1\nsurf 0 1 0 1 1 2 3\n",
                                               Format::obj, "x");
-  EXPECT_EQ(obj.notes, (std::vector<std::string>{"x:7: 'surf' brings a surface that is not read: only faces are",
-                                                 "x: left out: lines (1), points (1)"}));
+  EXPECT_EQ(obj.notes,
+            (std::vector<std::string>{"x:7: 'surf' defines a surface, which is not supported; only faces are read",
+                                      "x: left out: lines (1), points (1)"}));
   const auto ply =
       loadWithChannelsFromMemory(support::plyBytes(zoo::cube(), support::PlyFormat::text), Format::ply, "x");
   EXPECT_EQ(ply.notes, std::vector<std::string>{"x: left out: elements 'edge' (1)"});

@@ -244,8 +244,9 @@ TEST(Polygons, ThatCrossThemselvesAreToldOrRefusedWithTheirLine) {
   const auto notes_of = [](const std::string& text) {
     return loadWithChannelsFromMemory(text, Format::obj, "x").notes;
   };
-  EXPECT_EQ(notes_of(star(5)),
-            std::vector<std::string>{"x:6: the outline of the face crosses itself: it is cut to the least area"});
+  EXPECT_EQ(
+      notes_of(star(5)),
+      std::vector<std::string>{"x:6: the outline of the face crosses itself; it is triangulated with the least area"});
   EXPECT_EQ(notes_of(objOf({{0, 0}, {1, 0}, {0, 1}, {1, 1}}, flat)).size(), 1u) << "a bow tie";
   EXPECT_EQ(support::thrownMessage([&] { notes_of(star(65)); }),
             "x:66: the outline of the face of 65 corners crosses itself: it bounds no surface");

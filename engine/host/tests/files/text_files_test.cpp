@@ -101,7 +101,7 @@ TEST(TextFiles, OfWindowsOlderLibraryHaveItsNumbersThatAreNone) {
 // --- a row is a line ---
 
 TEST(PlyRows, NeverTakeAValueOfAnotherLine) {
-  const std::string told = "the row has more values than the header names: they are passed over";
+  const std::string told = "the row has more values than the header declares; they are skipped";
   EXPECT_EQ(notesOf(replaced(kPly, "3 1 2 3\n", "3 1 2 3 0 0\n"), Format::ply), Notes{"x:16: " + told});
   EXPECT_EQ(
       notesOf(
@@ -109,7 +109,7 @@ TEST(PlyRows, NeverTakeAValueOfAnotherLine) {
           Format::ply),
       Notes{"x:10: " + told + " (4 times)"});
   EXPECT_EQ(notesOf(kPly + "0 1\n\n1 2\n", Format::ply),
-            Notes{"x:18: a line behind the last row that the header names is passed over (2 times)"});
+            Notes{"x:18: a line after the last row declared by the header is skipped (2 times)"});
   EXPECT_EQ(notesOf(replaced(kPly, "1 0 0\n", "\n1 0 0\n\n"), Format::ply), Notes()) << "blank lines are no rows";
   EXPECT_EQ(loadError(replaced(kPly, "1 0 0\n", "1 0\n"), Format::ply),
             "x:11: the row has fewer values than the header names");
@@ -138,7 +138,7 @@ TEST(PlyRows, InBinaryMayHaveBytesBehindThem) {
   const auto longer = loadWithChannelsFromMemory(ply + "tail", Format::ply, "x");
   EXPECT_EQ(longer.mesh.triangles.size(), 1u);
   EXPECT_EQ(longer.notes, Notes{"x: byte " + std::to_string(ply.size()) +
-                                ": bytes behind the last row that the header names are passed over"});
+                                ": bytes after the last row declared by the header are skipped"});
 }
 
 TEST(PlyRows, MayBeginWithAByteThatIsALineEndElsewhere) {
@@ -157,7 +157,7 @@ TEST(PlyHeads, AreReadAsProgramsWriteThem) {
   EXPECT_EQ(notesOf(replaced(kPly, "ply\n", "\nply \ncomment made by hand\nobj_info num_cols 4\n"), Format::ply),
             Notes());
   EXPECT_EQ(notesOf(replaced(kPly, "end_header", "viewpoint 0 0 0\nend_header"), Format::ply),
-            Notes{"x:9: 'viewpoint' is not a keyword of a PLY header: the line is passed over"});
+            Notes{"x:9: 'viewpoint' is not a keyword of a PLY header; the line is skipped"});
   EXPECT_EQ(notesOf(replaced(kPly, "property float x", "property half x"), Format::ply), Notes());
   EXPECT_EQ(loadError(replaced(kPly, "vertex_indices", "corners"), Format::ply),
             "x:13: 'face' has no list 'vertex_indices'");
@@ -174,8 +174,8 @@ TEST(OffRows, MayHaveCommentsColoursAndWhatNobodyNeeds) {
   EXPECT_EQ(notesOf(replaced(kOff, "3 1 2 3\n", "3 1 2 3 0.1 0.2 0.3 1\n"), Format::off), Notes());
   EXPECT_EQ(notesOf(replaced(replaced(kOff, "1 0 0\n", "1 0 0 255 0 0 255\n"), "OFF", "COFF"), Format::off), Notes());
   EXPECT_EQ(notesOf(replaced(kOff, "1 0 0\n", "1 0 0 255 0 0\n"), Format::off),
-            Notes{"x:4: what stands behind a vertex's place is passed over"});
-  EXPECT_EQ(notesOf(kOff + "3 0 1 2\n", Format::off), Notes{"x:11: a line behind the last face is passed over"});
+            Notes{"x:4: values after a vertex's coordinates are skipped"});
+  EXPECT_EQ(notesOf(kOff + "3 0 1 2\n", Format::off), Notes{"x:11: a line after the last face is skipped"});
   EXPECT_EQ(loadError(replaced(kOff, "1 0 0\n", "1 0\n0\n"), Format::off), "x:4: a coordinate is missing");
 }
 
@@ -206,11 +206,11 @@ TEST(ObjRows, MayHaveWeightsColoursCommentsAndWhatNobodyNeeds) {
   EXPECT_EQ(notesOf(replaced(kObj, "v 1 0 0", "v 1 0 0 0.5 0.5 1e-3"), Format::obj), Notes());
   EXPECT_EQ(notesOf(replaced(kObj, "f 2 3 4", "f 2//1 3/ 4/7/1 # there"), Format::obj), Notes());
   EXPECT_EQ(notesOf(replaced(kObj, "v 1 0 0", "v 1 0 0 red"), Format::obj),
-            Notes{"x:2: what stands behind a vertex's place is passed over"});
+            Notes{"x:2: values after a vertex's coordinates are skipped"});
   EXPECT_EQ(notesOf("vt ? 1.#QNAN\nvn\n" + replaced(kObj, "f 1", "fo 1"), Format::obj), Notes());
   EXPECT_EQ(notesOf("Xdata 1 2\n" + kObj + "surf 0 1 0 1 1 2\n", Format::obj),
-            (Notes{"x:1: 'Xdata' is not an OBJ keyword: the line is passed over",
-                   "x:10: 'surf' brings a surface that is not read: only faces are"}));
+            (Notes{"x:1: 'Xdata' is not an OBJ keyword; the line is skipped",
+                   "x:10: 'surf' defines a surface, which is not supported; only faces are read"}));
 }
 
 TEST(ObjGroups, OfFacesAndObjectsAreTwoThings) {
@@ -249,7 +249,7 @@ TEST(StlFiles, AreTextOrBinaryByWhatTheyHoldNotByTheirLength) {
     EXPECT_EQ(loadWithChannelsFromMemory(stl, Format::stl, "x").notes, Notes()) << header;
     const auto longer = loadWithChannelsFromMemory(stl + std::string(92, 't'), Format::stl, "x");
     EXPECT_EQ(longer.mesh.triangles.size(), 7u) << header;
-    EXPECT_EQ(longer.notes, Notes{"x: byte 434: 92 bytes behind the 7 triangles are passed over"}) << header;
+    EXPECT_EQ(longer.notes, Notes{"x: byte 434: 92 bytes after the 7 triangles are skipped"}) << header;
     EXPECT_EQ(loadError(stl.substr(0, 400), Format::stl),
               "x: byte 80: not an STL file, or damaged: 7 triangles need 434 bytes, the file has 400")
         << header;
@@ -260,15 +260,15 @@ TEST(StlFiles, OfTextMayHaveWhatNobodyNeeds) {
   EXPECT_EQ(notesOf(replaced(kStl, "normal 0 0 -1", ""), Format::stl), Notes());
   EXPECT_EQ(notesOf(kStl.substr(kStl.find("facet")), Format::stl), Notes()) << "without its first line";
   EXPECT_EQ(notesOf(replaced(kStl, "solid s\nfacet", "solid s\ncolor 1 0 0\nfacet"), Format::stl),
-            Notes{"x:2: 'color' is not a word of STL: the line is passed over"});
+            Notes{"x:2: 'color' is not an STL keyword; the line is skipped"});
   EXPECT_EQ(notesOf(replaced(kStl, "endsolid s\n", "endsolid s\n\nwritten by hand\n"), Format::stl),
-            Notes{"x:32: 'written' is not a word of STL: the line is passed over"});
+            Notes{"x:32: 'written' is not an STL keyword; the line is skipped"});
 }
 
 // --- one rule for faces of too few corners ---
 
 TEST(TextFiles, TellFacesOfTwoCornersAndReadTheRest) {
-  const std::string told = "a face of fewer than 3 corners is passed over";
+  const std::string told = "a face with fewer than 3 corners is skipped";
   EXPECT_EQ(notesOf(kObj + "f 1 2\nf 1\nf 1 99\n", Format::obj), Notes{"x:9: " + told + " (3 times)"});
   EXPECT_EQ(notesOf(replaced(replaced(kOff, "4 4 6", "4 5 6"), "3 1 2 3\n", "2 1 2\n3 1 2 3\n"), Format::off),
             Notes{"x:9: " + told});

@@ -69,7 +69,7 @@ TEST_F(SolvedLumps, AreSolvedOnceAndThenReadByThoseWithoutASolver) {
   EXPECT_EQ(pushAt(*first, 0.0, 5.0), pushAt(*again, 0.0, 5.0)) << "to the bit";
   const std::string fault = support::thrownMessage([&] { build(sceneWith("solved", 6.0)); });
   EXPECT_NE(fault.find("s.toml:"), std::string::npos) << fault;
-  EXPECT_NE(fault.find("lump 'lump1' is not solved yet: [tissue] lumps = \"solved\" needs `palpate lump solve`"),
+  EXPECT_NE(fault.find("lump 'lump1' is not solved yet; for [tissue] lumps = \"solved\" run `palpate lump solve`"),
             std::string::npos)
       << fault;
 }

@@ -167,10 +167,10 @@ TEST(TomlTable, SaysOfWhichLineAKeyIsUnknownOrWhatItTakes) {
   };
   EXPECT_EQ(refusal("flga = true"), "file.toml:2: unknown key 'flga' in a table; did you mean 'flag'?");
   EXPECT_EQ(refusal("text = 1"), "file.toml:2: text takes text");
-  EXPECT_EQ(refusal("number = \"1\""), "file.toml:2: number takes a number");
+  EXPECT_EQ(refusal("number = \"1\""), "file.toml:2: number must be a number");
   EXPECT_EQ(refusal("number = 11"), "file.toml:2: number = 11 is out of range: 0 to 10");
-  EXPECT_EQ(refusal("whole = 1.5"), "file.toml:2: whole takes a whole number");
-  EXPECT_EQ(refusal("flag = 1"), "file.toml:2: flag takes true or false");
+  EXPECT_EQ(refusal("whole = 1.5"), "file.toml:2: whole must be a whole number");
+  EXPECT_EQ(refusal("flag = 1"), "file.toml:2: flag must be true or false");
 }
 
 TEST(TomlNode, HoldsEveryKindOfValueWithItsPlace) {

@@ -422,7 +422,8 @@ TEST(DeviceLimits, NoSceneAsksPastThemAndOnlyTheCommandLineLiftsThem) {
   const std::vector<std::string> notes = safetyNotes(request, unknown, 0.001);
   ASSERT_EQ(notes.size(), 2u);
   EXPECT_NE(notes[0].find("stiffness_cap_n_per_mm = 5 is more than device, rate and delay"), std::string::npos);
-  EXPECT_NE(notes[1].find("nominal_force_n = 100 is more than an unknown device takes: 3.3 N"), std::string::npos);
+  EXPECT_NE(notes[1].find("nominal_force_n = 100 is more than an unknown device can render; limited to 3.3 N"),
+            std::string::npos);
   EXPECT_FALSE(limiterSettings(request, unknown, 0.001).unsafe);
 
   request.unsafe_stiffness = true;

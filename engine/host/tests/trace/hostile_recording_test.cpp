@@ -84,7 +84,7 @@ TEST_F(HostileRecording, OtherBlanksAndCommentsAreTheSameTable) {
 TEST_F(HostileRecording, AStatementThatNeverEndsIsEndedAndSoIsOneThatIsInterrupted) {
   Database database(file_, Database::Mode::read);
   EXPECT_EQ(support::thrownMessage([&] { Statement(database, kNeverEnds).next(); }),
-            file_.string() + ": takes longer to read than a file of its size can need: it is not read further");
+            file_.string() + ": takes longer to read than a file of its size should; reading was stopped");
   struct Asked {};
   int calls = 0;
   const ReadingWatch watch([&] {

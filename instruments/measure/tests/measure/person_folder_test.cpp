@@ -242,7 +242,7 @@ TEST(PersonProtocol, NamesTheLineOfWhatItCannotRead) {
             "p.toml:1: person: a person is a code with a digit in it, such as P07, and no name");
   EXPECT_EQ(fault(good + "spacing = 3\n" + point), "p.toml:3: unknown key 'spacing'; did you mean 'spacing_mm'?");
   EXPECT_EQ(fault(good + "spacing_mm = 3\n" + point), "p.toml:3: spacing_mm = 3 is out of range: 5 to 100");
-  EXPECT_EQ(fault(good + "presses = 2.5\n" + point), "p.toml:3: presses takes a whole number");
+  EXPECT_EQ(fault(good + "presses = 2.5\n" + point), "p.toml:3: presses must be a whole number");
   EXPECT_EQ(fault("person = \"P7\"\ndrags = [\"uphill\"]\n" + point),
             "p.toml:2: 'uphill' is none of up, down, left, right");
   EXPECT_EQ(fault(good), "p.toml: names no [[point]]");

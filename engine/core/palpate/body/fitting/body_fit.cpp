@@ -174,8 +174,9 @@ void judge(const Alignment& best, bool by_points, BodyFit& fit) {
   } else if (best.rms_mm > kWorstRmsMm) {
     fit.doubt = fmt::format("the scan stays {:.1f} mm (RMS) from any trunk", best.rms_mm);
   } else if (fit.certainty < kSureEnough) {
-    fit.doubt = fmt::format("the shape does not say where along the back it is: about {:.0f} mm off, {:.0f} % sure",
-                            fit.spine_expected_mm, 100 * fit.certainty);
+    fit.doubt = fmt::format(
+        "the shape does not determine the position along the back: about {:.0f} mm uncertain, {:.0f} % confidence",
+        fit.spine_expected_mm, 100 * fit.certainty);
   }
   if (!fit.doubt.empty()) {
     fit.doubt += pointsHint(by_points);

@@ -68,7 +68,7 @@ void checkNeeds(JsonValue root) {
     const std::string name = extension.text();
     if (isAmong(kCompressions, name)) extension.fail(fmt::format("geometry compressed with {} cannot be read", name));
     if (!isKnown(name))
-      extension.fail(fmt::format("the file needs the extension {}, which cannot be read", shown(name)));
+      extension.fail(fmt::format("the file requires the extension {}, which is not supported", shown(name)));
   }
 }
 
@@ -312,7 +312,7 @@ class GltfReader {
     if (number >= 0.0 && number < static_cast<double>(joints) && number == std::floor(number)) {
       return static_cast<std::size_t>(number);
     }
-    where.fail(fmt::format("joint {} is none of the skin's {}", number, joints));
+    where.fail(fmt::format("joint {} is out of range; the skin has {}", number, joints));
   }
 
   void addPrimitive(const Primitive& primitive, const std::vector<Vec3>& positions, bool mirrored) {
@@ -333,7 +333,7 @@ class GltfReader {
     for (std::size_t i = 0; i < indices.size(); ++i) {
       if (indices[i] < vertices) continue;
       if (!file_.options.keep_wrong_indices) {
-        accessor.fail(fmt::format("index {} names vertex {}, but there are {}", i, indices[i], vertices));
+        accessor.fail(fmt::format("index {} uses vertex {}, but there are only {}", i, indices[i], vertices));
       }
       indices[i] = kNoIndex;
     }

@@ -68,11 +68,11 @@ class ObjReader {
     } else if (is("vt") && places_ != nullptr) {
       readTexturePlace();
     } else if (std::any_of(kOtherSurfaces.begin(), kOtherSurfaces.end(), is)) {
-      passOver(fmt::format("'{}' brings a surface that is not read: only faces are", shown(keyword)));
+      passOver(fmt::format("'{}' defines a surface, which is not supported; only faces are read", shown(keyword)));
     } else if (std::none_of(kNoSurface.begin(), kNoSurface.end(), is)) {
       if (first_unknown_.empty()) first_unknown_ = keyword;
       if (unknown_line_ == 0) unknown_line_ = text_.line();
-      passOver(fmt::format("'{}' is not an OBJ keyword: the line is passed over", shown(keyword)));
+      passOver(fmt::format("'{}' is not an OBJ keyword; the line is skipped", shown(keyword)));
     } else {
       reportShape(keyword);
     }
@@ -97,7 +97,7 @@ class ObjReader {
       are_numbers &= word.find_first_not_of("0123456789+-.eEnaifNAIF") == std::string_view::npos;
     }
     // A weight, a colour, or both.
-    if (!are_numbers || more == 2 || more > 4) passOver("what stands behind a vertex's place is passed over");
+    if (!are_numbers || more == 2 || more > 4) passOver("values after a vertex's coordinates are skipped");
   }
 
   /// `vt u [v [w]]`. Where it is not a number, the place is not finite.

@@ -122,7 +122,7 @@ TriangleMesh readOff(const MeshFile& file) {
     toNextRow(text, "vertices", counts.vertices);
     for (double& value : position) value = text.number(text.word(), "a coordinate");
     if (!head.has_more && wordsLeft(text) > 0) {
-      file.passed_over.add("what stands behind a vertex's place is passed over", text.line());
+      file.passed_over.add("values after a vertex's coordinates are skipped", text.line());
     }
   }
   PolygonList polygons;
@@ -130,10 +130,11 @@ TriangleMesh readOff(const MeshFile& file) {
     toNextRow(text, "faces", counts.faces);
     readPolygon(text, polygons);
     if (wordsLeft(text) > kColourWords) {
-      file.passed_over.add("the row has more than the corners of its face and a colour", text.line());
+      file.passed_over.add("the row has values after the corners and the colour of its face; they are skipped",
+                           text.line());
     }
   }
-  while (text.nextFilledLine()) file.passed_over.add("a line behind the last face is passed over", text.line());
+  while (text.nextFilledLine()) file.passed_over.add("a line after the last face is skipped", text.line());
   polygons.cut(mesh, {file.name, FilePlace::line, 0}, file.options.keep_wrong_indices, file.passed_over);
   return mesh;
 }

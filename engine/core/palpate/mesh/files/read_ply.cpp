@@ -124,7 +124,7 @@ Header readHeader(TextReader& text, PassedOver& passed_over) {
       if (header.elements.empty()) text.fail("a property before the first element");
       header.elements.back().properties.push_back(readProperty(text, header.encoding));
     } else if (!keyword.empty() && !isWord(keyword, "comment") && !isWord(keyword, "obj_info")) {
-      passed_over.add(fmt::format("'{}' is not a keyword of a PLY header: the line is passed over", shown(keyword)),
+      passed_over.add(fmt::format("'{}' is not a keyword of a PLY header; the line is skipped", shown(keyword)),
                       text.line());
     }
   }
@@ -148,7 +148,7 @@ class TextValues {
   double anyValue(Type) { return numberOrNone(next()); }
   void endRow(PassedOver& passed_over) {
     if (!text_.word().empty()) {
-      passed_over.add("the row has more values than the header names: they are passed over", text_.line());
+      passed_over.add("the row has more values than the header declares; they are skipped", text_.line());
     }
   }
   /// Rows of an unused element.
@@ -158,7 +158,7 @@ class TextValues {
   }
   void end(PassedOver& passed_over) {
     while (text_.nextFilledLine()) {
-      passed_over.add("a line behind the last row that the header names is passed over", text_.line());
+      passed_over.add("a line after the last row declared by the header is skipped", text_.line());
     }
   }
 
@@ -211,8 +211,7 @@ class BinaryValues {
   static bool passOverRows(std::uint64_t) { return false; }
   void end(PassedOver& passed_over) {
     if (bytes_.bytesLeft() == 0) return;
-    passed_over.add("bytes behind the last row that the header names are passed over", bytes_.position(),
-                    FilePlace::byte);
+    passed_over.add("bytes after the last row declared by the header are skipped", bytes_.position(), FilePlace::byte);
   }
 
   static std::size_t leastBytes(Type type) {
@@ -354,7 +353,7 @@ class BodyReader {
     std::size_t least = 0;
     for (const Property& p : element.properties) least += Values::leastBytes(p.is_list ? p.count_type : p.type);
     if (least == 0 || element.count <= values_.bytesLeft() / least) return;
-    values_.fail(fmt::format("the header promises {} of '{}', the file holds {} at most", element.count,
+    values_.fail(fmt::format("the header declares {} of '{}', but the file has at most {}", element.count,
                              shown(element.name), values_.bytesLeft() / least));
   }
 
@@ -472,7 +471,7 @@ class BodyReader {
     const double length = values_.value(property.count_type);
     const auto most = values_.bytesLeft() / Values::leastBytes(property.type);
     if (length >= 0.0 && length <= static_cast<double>(most)) return static_cast<std::size_t>(length);
-    values_.fail(fmt::format("a list of {} values, the file holds {} more at most", length, most));
+    values_.fail(fmt::format("a list of {} values, but the file has at most {} more", length, most));
   }
 
   void reportProgress(std::size_t row) {

@@ -79,7 +79,7 @@ std::size_t checkBinarySize(const MeshFile& file) {
   const auto count = (promised - kHeaderBytes) / kTriangleBytes;
   if (promised < file.bytes.size()) {
     file.passed_over.add(
-        fmt::format("{} bytes behind the {} triangles are passed over", file.bytes.size() - promised, count),
+        fmt::format("{} bytes after the {} triangles are skipped", file.bytes.size() - promised, count),
         static_cast<std::size_t>(promised), FilePlace::byte);
   }
   if (promised <= file.bytes.size()) return static_cast<std::size_t>(count);
@@ -131,7 +131,7 @@ class TextStl {
       if (ends || isWord(word, "solid")) {
         within = !ends;
       } else {  // a colour, say
-        file_.passed_over.add(fmt::format("'{}' is not a word of STL: the line is passed over", shown(word)),
+        file_.passed_over.add(fmt::format("'{}' is not an STL keyword; the line is skipped", shown(word)),
                               text_.line());
       }
       text_.nextLine();

@@ -72,7 +72,7 @@ Trajectory pathIn(const std::string& which) {
 
 Probe probeMouse(const OpenOptions& options) {
   if (options.mouse != nullptr) return here("the pointer of the window");
-  return missing("a mouse is over the skin only where a window shows it", "palpate run");
+  return missing("a mouse needs a window that shows the skin", "palpate run");
 }
 
 Device openMouse(const OpenOptions& options) {
@@ -92,7 +92,7 @@ Probe probePlayback(const OpenOptions& options) {
   try {
     return here(fmt::format("{}, {} positions", options.which, pathIn(options.which).size()));
   } catch (const Error& error) {
-    return missing(error.what(), "name a trajectory (t_s,x_mm,y_mm,z_mm) or a forces.csv, with :FINGER behind it");
+    return missing(error.what(), "name a trajectory (t_s,x_mm,y_mm,z_mm) or a forces.csv, followed by :FINGER");
   }
 }
 

@@ -175,7 +175,7 @@ std::string Driver::explain() const {
     return fmt::format("the library reports: {}; check cable and power supply of the device, it is looked for again",
                        words == nullptr ? "no reason given" : oneLine(words));
   }
-  if ((faults & kNoPose) != 0) return "the library gives no position; check the device's cable";
+  if ((faults & kNoPose) != 0) return "the library reports no position; check the device's cable";
   return {};
 }
 
@@ -195,8 +195,8 @@ Opened openDriver(const Api& api, const OpenOptions& options) {
   if (!options.which.empty()) {
     const std::optional<double> wanted = parseNumber(options.which);
     if (!wanted || *wanted < 0.0 || *wanted > last || *wanted != std::floor(*wanted)) {
-      opened.reason = fmt::format("there is no device '{}'", oneLine(options.which));
-      opened.remedy = fmt::format("say 0 to {}, or nothing for the first", last);
+      opened.reason = fmt::format("no device '{}'", oneLine(options.which));
+      opened.remedy = fmt::format("use 0 to {}, or omit it for the first", last);
       return opened;
     }
     first = last = static_cast<int>(*wanted);

@@ -178,7 +178,7 @@ Service findService(const Settings& settings, const std::filesystem::path& syste
       service.connection.reset();
     } else if (!sent) {
       service.connection.reset();
-      probe.reason = "the service at " + words(address) + " tells no devices; another program may listen there";
+      probe.reason = "the service at " + words(address) + " lists no devices; another program may be using the port";
       probe.remedy = fmt::format(
           "restart it: sudo systemctl restart haply-inverse-service; where it listens elsewhere: "
           "{}=HOST:PORT",

@@ -67,8 +67,9 @@ Added explainMissingDevice(const Service& service, const std::string& which) {
     return refused("the service knows no device",
                    "plug the device in, switch it on, and look at the service's own page");
   }
-  return refused(fmt::format("the service has no device '{}'", oneLine(which)),
-                 fmt::format("say haply:left, haply:right or haply:ID of {}", joinDeviceIds(service.snapshot)));
+  return refused(
+      fmt::format("the service has no device '{}'", oneLine(which)),
+      fmt::format("use haply:left, haply:right or haply:ID with one of {}", joinDeviceIds(service.snapshot)));
 }
 
 bool Session::isHeld(const std::string& id) const {
@@ -188,7 +189,7 @@ void Session::publishReply(Slot& slot, const Reply& reply, bool late) {
   slot.configured = slot.listed && found != reply.devices.end();
   slot.listed = found != reply.devices.end();
   if (!slot.listed) return publishTrouble(slot, fmt::format("the service has lost device {}", slot.id));
-  if (!found->has_state) return publishTrouble(slot, fmt::format("the service says nothing of device {}", slot.id));
+  if (!found->has_state) return publishTrouble(slot, fmt::format("the service does not report device {}", slot.id));
   DriverReading reading;
   reading.tip = found->place_m ? slot.frame.placeInBody(*found->place_m) : kNoPlace;
   reading.velocity = slot.frame.motionInBody(found->speed_m_s);
@@ -234,7 +235,7 @@ std::string Session::explain(const Slot& slot) {
     return slot.trouble;
   }
   if ((faults & kStalePose) != 0) return "the service answers too late; is this machine overloaded?";
-  if ((faults & kNoPose) != 0) return fmt::format("the service gives no position of device {}", slot.id);
+  if ((faults & kNoPose) != 0) return fmt::format("the service reports no position of device {}", slot.id);
   return {};
 }
 

@@ -16,7 +16,7 @@ std::string remedyFor(const std::string& dependency, const LibraryRemedies& reme
   for (const auto& [beginning, remedy] : remedies.dependencies) {
     if (name.starts_with(beginning)) return remedy;
   }
-  return fmt::format("install the package that holds {}, or add its folder to LD_LIBRARY_PATH", name);
+  return fmt::format("install the package that contains {}, or add its folder to LD_LIBRARY_PATH", name);
 }
 
 void explainRefusal(const LibraryFindings& findings, Probe& probe) {

@@ -27,8 +27,8 @@ LibraryRemedies remedies() {
           .install = "install the maker's device driver and OpenHaptics, 3.0 or newer (docs/reference/devices.md)",
           .dependencies = {{"libncurses", "install the system's libncurses5 and libtinfo5"},
                            {"libtinfo", "install the system's libtinfo5"},
-                           {"libPhantomIO", "install the maker's device driver, which brings it"},
-                           {"libPHANToMIO", "install the maker's device driver, which brings it"}}};
+                           {"libPhantomIO", "install the maker's device driver, which contains it"},
+                           {"libPHANToMIO", "install the maker's device driver, which contains it"}}};
 }
 
 UsbMarks marks() { return {.words = {"3d systems", "sensable", "geomagic"}, .numbers = {}}; }

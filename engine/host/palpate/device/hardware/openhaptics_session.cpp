@@ -239,7 +239,7 @@ Added Session::initialise(const OpenOptions& options, const DeviceFrame& frame) 
   const Handle handle = firstFree(options, name, error);
   if (handle == kInvalidHandle) {
     const std::string what = options.which.empty() ? "" : fmt::format("device '{}': ", oneLine(options.which));
-    added.reason = what + (error == kSuccess ? "the driver gives no device" : describe(error));
+    added.reason = what + (error == kSuccess ? "the driver reports no device" : describe(error));
     added.remedy = wordsOf(error == kSuccess ? std::uint32_t{0x300} : error).remedy;
     return added;
   }
@@ -358,7 +358,7 @@ std::string Session::explain(const Slot& slot) const {
   if ((faults & kNotCalibrated) != 0) {
     return "it is not calibrated; put the pen into its inkwell, or move the arm to its neutral position";
   }
-  if ((faults & kNoPose) != 0) return "the driver gives no position; check the device's cable";
+  if ((faults & kNoPose) != 0) return "the driver reports no position; check the device's cable";
   return {};
 }
 

@@ -66,7 +66,7 @@ Probe probeOne(const plugin::Wanted& wanted) {
     if (found.table->probe(wanted.which.c_str(), reason.data(), room, remedy.data(), room) < 0) {
       probe.reason = fmt::format("{}: {}", plugin::nameOf(found), plugin::boundedText(reason.data(), reason.size()));
       probe.remedy = plugin::boundedText(remedy.data(), remedy.size());
-      if (probe.remedy.empty()) probe.remedy = "ask whoever wrote the plugin";
+      if (probe.remedy.empty()) probe.remedy = "contact the author of the plugin";
       return probe;
     }
   }
@@ -78,7 +78,7 @@ Probe probeOne(const plugin::Wanted& wanted) {
 Probe noneNamed() {
   Probe probe;
   probe.reason = fmt::format("no plugin is named, and {} names no folder that has one", plugin::kFoldersVariable);
-  probe.remedy = fmt::format("say plugin:/path/to/it.so, or {}=/folder/of/plugins (docs/howto/plugins.md)",
+  probe.remedy = fmt::format("use plugin:/path/to/it.so, or set {}=/folder/of/plugins (docs/howto/plugins.md)",
                              plugin::kFoldersVariable);
   return probe;
 }
@@ -89,7 +89,7 @@ Probe probeAll() {
   for (const std::filesystem::path& folder : plugin::folders()) {
     std::error_code error;
     if (std::filesystem::is_directory(folder, error)) continue;
-    all.looked_for.push_back({"a folder of plugins", folder.string(), false, "there is no such folder"});
+    all.looked_for.push_back({"a folder of plugins", folder.string(), false, "no such folder"});
   }
   for (const std::string& file : plugin::filesIn(plugin::folders())) {
     const Probe one = probeOne({file, {}});

@@ -54,7 +54,8 @@ std::string boundedText(const char* room, std::size_t bytes) {
 
 std::string findFault(const palpate_device_table* table) {
   if (table == nullptr) {
-    return fmt::format("it gives no table: it wants another palpate_device.h than version {}", PALPATE_DEVICE_VERSION);
+    return fmt::format("it returns no table; it requires another palpate_device.h than version {}",
+                       PALPATE_DEVICE_VERSION);
   }
   if (table->size < sizeof(palpate_device_table)) {
     return fmt::format("its table has {} bytes, {} are needed", table->size, sizeof(palpate_device_table));

@@ -29,7 +29,7 @@ palpate_device_handle openHandle(const palpate_device_table& table, const std::s
   Room room{};
   palpate_device_handle device = table.open(which.c_str(), room.data(), kWordsRoom);
   if (device == nullptr) reason = boundedText(room.data(), room.size());
-  if (device == nullptr && reason.empty()) reason = "it does not open, and does not say why";
+  if (device == nullptr && reason.empty()) reason = "it does not open, and reports no reason";
   return device;
 }
 
@@ -143,9 +143,10 @@ std::string Driver::explain() {
     const std::lock_guard lock(words_mutex_);
     return trouble_;
   }
-  if ((faults & kNotCalibrated) != 0) return "the device does not know where it is; move it as its maker says";
+  if ((faults & kNotCalibrated) != 0)
+    return "the device has no position reference; calibrate it as its maker describes";
   if ((faults & kStalePose) != 0) return "the plugin's position is too old";
-  return "the plugin gives no position";
+  return "the plugin reports no position";
 }
 
 Opened openDriver(const palpate_device_table& table, const std::string& which, const OpenOptions& options) {
@@ -156,7 +157,7 @@ Opened openDriver(const palpate_device_table& table, const std::string& which, c
   palpate_device_capabilities able{};
   able.size = sizeof(able);
   if (table.capabilities(device, &able) < 0) {
-    opened.reason = "it does not say what the device can";
+    opened.reason = "it does not report the device's capabilities";
     table.close(device);
     return opened;
   }

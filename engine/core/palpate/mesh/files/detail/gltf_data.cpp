@@ -106,11 +106,11 @@ std::filesystem::path pathBeside(const MeshFile& file, const std::string& uri, J
   const std::string name = decodePercent(uri);
   const std::filesystem::path relative = pathOf(name).lexically_normal();
   const bool leaves_folder = !relative.empty() && *relative.begin() == "..";
-  if (file.folder.empty()) where.fail("it refers to another file, and there is no folder to look in");
+  if (file.folder.empty()) where.fail("it refers to another file, but has no folder to search");
   if (relative.has_root_path() || leaves_folder || hasScheme(uri)) {
     where.fail("a buffer may only be a file in the same folder or below");
   }
-  if (name.find('\0') != std::string::npos) where.fail("a file's name cannot hold a zero byte");
+  if (name.find('\0') != std::string::npos) where.fail("a file name must not contain a zero byte");
   return file.folder / relative;
 }
 
@@ -180,10 +180,10 @@ GltfParts splitGltf(const MeshFile& file) {
   const auto promised = bytes.number<std::uint32_t>();
   if (promised > file.bytes.size() || promised < kGlbHeaderBytes) {
     throw Error::atByte(file.name, 8,
-                        fmt::format("the header promises {} bytes, the file has {}", promised, file.bytes.size()));
+                        fmt::format("the header declares {} bytes, but the file has {}", promised, file.bytes.size()));
   }
   if (promised < file.bytes.size())
-    file.passed_over.leaveOut("bytes behind the end of the GLB", file.bytes.size() - promised);
+    file.passed_over.leaveOut("bytes after the end of the GLB", file.bytes.size() - promised);
   bytes = ByteReader(file.bytes.substr(0, promised), file.name, kGlbHeaderBytes);
   for (std::size_t chunk = 0; bytes.bytesLeft() > 0; ++chunk) {
     const auto length = bytes.number<std::uint32_t>();
@@ -258,7 +258,7 @@ void GltfAccessors::readBuffer(Buffer& buffer) {
   }
   const std::size_t promised = length.index(kAnySize, "byteLength");
   if (promised > buffer.bytes.size()) {
-    length.fail(fmt::format("the buffer promises {} bytes, there are {}", promised, buffer.bytes.size()));
+    length.fail(fmt::format("the buffer declares {} bytes, but has {}", promised, buffer.bytes.size()));
   }
   buffer.bytes = buffer.bytes.substr(0, promised);
   buffer.is_read = true;
@@ -297,7 +297,7 @@ GltfAccessors::Elements GltfAccessors::elements(JsonValue where, JsonValue view_
   const std::size_t most = room < size ? 0 : (room - size) / found.stride + 1;
   found.count = count;
   if (found.count > most) {
-    where.fail(fmt::format("{} elements are promised, the bufferView holds {}", found.count, most));
+    where.fail(fmt::format("the accessor declares {} elements, but the bufferView has {}", found.count, most));
   }
   found.data = bytes.data() + start;
   return found;

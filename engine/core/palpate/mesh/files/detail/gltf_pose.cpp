@@ -112,7 +112,7 @@ const std::vector<Eigen::Affine3d>& GltfPose::jointMotions(JsonValue skin_index,
   if (const JsonValue accessor = skin["inverseBindMatrices"]) {
     inverse_bind = accessors.vectors<Eigen::Matrix4d>(accessor);
     if (inverse_bind.size() < joints.size()) {
-      skin.fail(fmt::format("{} joints, but {} matrices of where they were", joints.size(), inverse_bind.size()));
+      skin.fail(fmt::format("{} joints, but {} inverse bind matrices", joints.size(), inverse_bind.size()));
     }
   }
   for (std::size_t j = 0; j < joints.size(); ++j) {

@@ -15,7 +15,7 @@ void PassedOver::add(std::string_view what, std::size_t place, FilePlace kind) {
   } else if (kinds_.size() < kMostKinds) {
     kinds_.push_back({std::string(what), place, kind});
   } else if (kinds_.size() == kMostKinds) {
-    kinds_.push_back({"and more that is passed over", place, kind});
+    kinds_.push_back({"and more that is skipped", place, kind});
   } else {
     ++kinds_.back().count;
   }

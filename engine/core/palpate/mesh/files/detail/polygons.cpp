@@ -194,11 +194,12 @@ void PolygonList::cut(TriangleMesh& mesh, const FileCounting& counting, bool kee
   for (const auto& [end, place] : polygons_) {
     const std::span<const Index> polygon(corners_.data() + first, end - first);
     first = end;
-    if (polygon.size() < 3) passed_over.add("a face of fewer than 3 corners is passed over", place, counting.place);
+    if (polygon.size() < 3) passed_over.add("a face with fewer than 3 corners is skipped", place, counting.place);
     if (!keep_wrong_indices && polygon.size() >= 3) checkIndices(polygon, place, mesh.positions.size(), counting);
     const PolygonCut cut = triangulate(mesh.positions, polygon, mesh.triangles);
     if (cut == PolygonCut::guessed) {
-      passed_over.add("the outline of the face crosses itself: it is cut to the least area", place, counting.place);
+      passed_over.add("the outline of the face crosses itself; it is triangulated with the least area", place,
+                      counting.place);
     } else if (cut == PolygonCut::impossible) {
       failAt(counting, place,
              fmt::format("the outline of the face of {} corners crosses itself: it bounds no surface", polygon.size()));
