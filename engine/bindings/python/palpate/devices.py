@@ -1,4 +1,4 @@
-"""Devices: which are here, opening one, and loops over them.
+"""Devices: listing them, opening one, and servo loops over them.
 
     for back_end in palpate.devices.probe():
         print(back_end["name"], back_end["available"], back_end["reason"])

@@ -1,4 +1,4 @@
-"""Many simulated hands that search a body at once, in the shape of gymnasium's vector environments, without needing it.
+"""Many simulated hands that search a body at once, as a gymnasium-style vector environment without the dependency.
 
     env = palpate.env.VectorEnv(palpate.World.torso(), 1024, around="T9 right 30 mm")
     observations, infos = env.reset(seed=1)
@@ -29,7 +29,7 @@ _PRESSED = (*_FELT, "normal", "tip", "tissue", "radius", "lump_force", "lump", "
 
 
 def _taxels(observe: str) -> int:
-    """Along a side of the pad that is observed; 0: none."""
+    """Taxels along a side of the observed pad; 0 for none."""
     if observe == "touch":
         return 0
     number = observe.removeprefix("pressure")
@@ -39,7 +39,7 @@ def _taxels(observe: str) -> int:
 
 
 class Box:
-    """Numbers between bounds, as gymnasium.spaces.Box has them: low, high, shape, dtype, sample, contains."""
+    """Numbers between bounds, like gymnasium.spaces.Box: low, high, shape, dtype, sample, contains."""
 
     def __init__(self, low: ArrayLike, high: ArrayLike, shape: tuple[int, ...], seed: Optional[int] = None) -> None:
         """low and high: one number or an array of this shape."""
@@ -50,23 +50,23 @@ class Box:
         self._random = np.random.default_rng(seed)
 
     def sample(self) -> NDArray[np.float32]:
-        """Evenly drawn numbers of this shape."""
+        """Uniformly drawn numbers of this shape."""
         return self._random.uniform(self.low, self.high).astype(np.float32)
 
     def contains(self, numbers: ArrayLike) -> bool:
-        """True where the shape is right and all lie within the bounds."""
+        """Whether the shape is right and all numbers are within the bounds."""
         array = np.asarray(numbers)
         return array.shape == self.shape and bool(np.all((array >= self.low) & (array <= self.high)))
 
 
 class Task(Protocol):
-    """What is rewarded, and when an episode has ended."""
+    """Rewards, and the end of an episode."""
 
     def reset(self, mask: Flags) -> None:
-        """The episodes whose flag is set (n,) begin."""
+        """Begins the episodes whose flag (n,) is set."""
 
     def judge(self, tips: Floats, felt: Felt) -> tuple[Floats, Flags]:
-        """After a step: tips (n, 3), mm, and what was felt there (force, depth, triangle) -> rewards (n,), ended (n,)."""
+        """After a step: tips (n, 3), mm, and their contact (force, depth, triangle) -> rewards (n,), ended (n,)."""
 
 
 class Stiffest:
@@ -86,13 +86,13 @@ class Stiffest:
         self._before: Optional[Floats] = None
 
     def reset(self, mask: Flags) -> None:
-        """The episodes whose flag is set (n,) begin."""
+        """Begins the episodes whose flag (n,) is set."""
         if self._before is None or len(self._before) != len(mask):
             self._before = np.zeros(len(mask))
         self._before[mask] = 0.0
 
     def judge(self, tips: Floats, felt: Felt) -> tuple[Floats, Flags]:
-        """Rewards (n,), and who has found it (n,)."""
+        """Rewards (n,), and which have found it (n,)."""
         now = self._stiffness[felt["triangle"]]
         before = self._before if self._before is not None else np.zeros_like(now)
         found = (felt["depth"] > 0) & (((felt["proxy"] - self.goal) ** 2).sum(axis=1) < self.goal_mm**2)
@@ -101,7 +101,7 @@ class Stiffest:
 
 
 class VectorEnv:
-    """Fingers that search the skin around a place: each action moves a tip, each observation is what it felt.
+    """Fingers that search the skin around a place: each action moves a tip, each observation is its contact.
 
     Actions (n, 3) in -1 to 1: the way of the tip in this step, over max_step_mm, along x, y and z. Observations (n, 7)
     float32: the tip from the middle of the region over reach_mm (3), the force, N (3), the depth, mm (1). With
@@ -151,7 +151,7 @@ class VectorEnv:
               ) -> tuple[NDArray[np.float32], dict[str, Any]]:
         """All episodes begin: each finger over the skin, at a place drawn from the middle half of the region.
 
-        seed: the same numbers give the same episodes; None goes on as it was."""
+        seed: the same seed gives the same episodes; None continues the current sequence."""
         if seed is not None:
             self._random = np.random.default_rng(seed)
         self._ended = np.zeros(self.num_envs, bool)

@@ -31,7 +31,7 @@ __all__ = ["FittedNumber", "ForceFit", "Fitted", "ProfileFit", "force", "numbers
 
 
 def force(depth_mm: ArrayLike, force_n: ArrayLike, *, free_offset: bool = False) -> list[ForceFit]:
-    """Every form of force law fitted to one curve (N,), the best first, the others by how they foretell unseen rows.
+    """Every form of force law fitted to one curve (N,), the best first, the others by how well they predict unseen rows.
 
     Give the pressing part alone, with at least four depths below the skin. `free_offset` looks for the contact between
     0 and 0.6 mm. Raises ValueError, palpate.Error.
@@ -44,7 +44,7 @@ def force(depth_mm: ArrayLike, force_n: ArrayLike, *, free_offset: bool = False)
 def shared_force(
     curves: Sequence[tuple[ArrayLike, ArrayLike]], form: str = "power", *, free_offset: bool = False
 ) -> ForceFit:
-    """One shape for several places, each with a stiffness of its own: pairs (depth_mm, force_n), arrays (N,).
+    """One shape for several places, each with its own stiffness: pairs (depth_mm, force_n), arrays (N,).
 
     Raises ValueError, palpate.Error.
     """
@@ -65,7 +65,7 @@ def profile(
 
 @dataclass(frozen=True)
 class Fitted:
-    """Numbers (K,) that a fit found, with their standard errors; `rms` is of what is left."""
+    """Fitted numbers (K,) with their standard errors; `rms` is that of the residuals."""
 
     numbers: NDArray[Any]
     standard_errors: NDArray[Any]
@@ -76,7 +76,7 @@ class Fitted:
 def numbers(
     residuals: Callable[[NDArray[Any]], ArrayLike], start: ArrayLike, low: ArrayLike, high: ArrayLike
 ) -> Fitted:
-    """Least squares within bounds: `residuals` takes the numbers (K,) and gives what is missed (N,).
+    """Least squares within bounds: `residuals` takes the numbers (K,) and returns the residuals (N,).
 
     Deterministic; derivatives are differences. What `residuals` raises goes through. Raises ValueError.
     """

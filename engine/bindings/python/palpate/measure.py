@@ -1,4 +1,4 @@
-"""From photographs of a dotted back to the key ellipse, and photographs whose truth is known.
+"""From photographs of a dotted back to the key ellipse, and synthetic photographs with known truth.
 
     found = palpate.measure.dots("before.jpg", "after.jpg", again="before2.jpg")
     if found.accepted and found.ellipse is not None:
@@ -57,7 +57,7 @@ __all__ = [
 
 
 class Synthetic(NamedTuple):
-    """Three pictures (H, W, 3) of uint8 of a back that was never there, and the truth that they show.
+    """Three synthetic pictures (H, W, 3) of uint8 of a back, and the ground truth.
 
     truth: half_major_mm, half_minor_mm, major_over_minor, direction_deg (of the ellipse of 2 mm), drag_deg, peak_mm,
     contact_px, px_per_mm.
@@ -81,7 +81,7 @@ def synthesize(
     drag_deg: float | None = None,
     peak_mm: float | None = None,
 ) -> Synthetic:
-    """Paints a press; what is not asked for is drawn from the seed.
+    """Paints a press; omitted values are drawn from the seed.
 
     tail: "compact" (the half Gaussian), "long", "half-space", "windowed". drift_mm: how far the body moves between the
     pictures, sd. The rest: of the ellipse through the places that move by 2 mm, the way of the pull, and the motion of

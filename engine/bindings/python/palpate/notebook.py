@@ -1,4 +1,4 @@
-"""The page in a cell of a notebook: press there with the mouse, and have what was felt here as an array.
+"""The page in a cell of a notebook: press there with the mouse, and get the contact data here as an array.
 
     page = palpate.view.widget()          # the last line of a cell shows it
     page.press("T6 right 30 mm", 8)       # or press with the mouse
@@ -82,7 +82,7 @@ def page_folder(site: str | os.PathLike[str] | None = None) -> pathlib.Path:
 
 
 def _files_of(folder: pathlib.Path) -> dict[str, bytes]:
-    """What may be asked for, by name: no path is opened for a request."""
+    """The files that can be requested, by name; a request never opens a path."""
     files: dict[str, bytes] = {}
     size = 0
     for file in sorted(folder.iterdir()):
@@ -97,7 +97,7 @@ def _files_of(folder: pathlib.Path) -> dict[str, bytes]:
 
 
 class _Exchange:
-    """What page and Python have for each other. Any thread."""
+    """Messages between page and Python. Thread-safe."""
 
     def __init__(self) -> None:
         self.token = secrets.token_urlsafe(24)
@@ -113,7 +113,7 @@ class _Exchange:
         self.ids = itertools.count(1)
 
     def take(self, message: Any) -> list[dict[str, Any]]:
-        """Of the page. Gives what is asked of it. Raises ValueError for a message of another form."""
+        """Accepts a message from the page and returns the requests for it. Raises ValueError for a message of another form."""
         if not isinstance(message, dict) or not isinstance(message.get("rows"), list) or not isinstance(message.get("answers"), list):
             raise ValueError("an exchange must have rows and answers")
         rows = np.asarray(message["rows"], dtype=np.float64).reshape(-1, _NUMBERS)
@@ -137,7 +137,7 @@ class _Exchange:
             self.count -= len(self.rows.popleft())
 
     def ask(self, name: str, given: dict[str, Any], seconds: float) -> Any:
-        """Has the page do something and waits for what it gives. Raises RuntimeError in its words, TimeoutError."""
+        """Sends a request to the page and waits for the result. Raises RuntimeError with its message, TimeoutError."""
         with self.changed:
             number = next(self.ids)
             self.requests.append({"id": number, "name": name, **given})
@@ -185,7 +185,7 @@ class _Visit(http.server.BaseHTTPRequestHandler):
             self.wfile.write(body)
 
     def is_ours(self) -> bool:
-        """By the name that it was asked for: a foreign name that leads to 127.0.0.1 is refused."""
+        """Checks the requested host name: a foreign name that resolves to 127.0.0.1 is refused."""
         port = self.server.server_address[1]
         hosts, origins = self.headers.get_all("Host") or [], self.headers.get_all("Origin") or []
         if len(hosts) != 1 or len(origins) > 1:
@@ -246,7 +246,7 @@ class Widget:
 
     As the last line of a cell it shows itself; `url` opens it in a browser, too. Every cell that shows it has a page, a
     body and fingers of its own, and what is felt in any of them comes here. Calls that ask the page for something wait
-    `timeout` seconds for it, and raise TimeoutError where no cell shows it, RuntimeError in the page's words.
+    `timeout` seconds for it, and raise TimeoutError if no cell shows it, RuntimeError with the page's message.
     """
 
     def __init__(self, *, height: int = 640, site: str | os.PathLike[str] | None = None) -> None:
@@ -260,7 +260,7 @@ class Widget:
 
     @property
     def url(self) -> str:
-        """With the token: who has it can press, and is heard."""
+        """Address with the token; it allows pressing and receives the contact data."""
         return f"http://127.0.0.1:{self._server.server_address[1]}/#notebook={self._exchange.token}"
 
     def _repr_html_(self) -> str:
@@ -272,7 +272,7 @@ class Widget:
 
     @property
     def felt(self) -> NDArray[np.void]:
-        """What was felt so far, a copy: (N,) rows in their order, sixty a second while a finger touches.
+        """Contact data so far, as a copy: (N,) rows in order, sixty per second while a finger touches.
 
         Fields: tick (ms), finger (0 left, 1 right), touch (0 free, 1 sticks, 2 slips), depth_mm, and (3,) each: tip, proxy (mm),
         normal (of length 1), force (N). About the newest 1,000,000 rows are kept.
@@ -287,7 +287,7 @@ class Widget:
         return felt
 
     def clear(self) -> None:
-        """Forgets what was felt; the page keeps its own recording."""
+        """Clears the contact data; the page keeps its own recording."""
         with self._exchange.changed:
             self._exchange.rows.clear()
             self._exchange.count = 0
@@ -298,13 +298,13 @@ class Widget:
         return self._exchange.body
 
     def wait(self, rows: int = 1, timeout: float = 60.0) -> bool:
-        """Until so many rows are felt: whether they were, within `timeout` seconds."""
+        """Waits for this many rows; returns whether they arrived within `timeout` seconds."""
         exchange = self._exchange
         with exchange.changed:
             return exchange.changed.wait_for(lambda: exchange.closed or exchange.count >= rows, timeout) and not exchange.closed
 
     def go(self, place: str, *, timeout: float = 10.0) -> None:
-        """Flies to a place by name ("T6 right 30 mm") and holds the finger over it."""
+        """Moves the camera to a named place ("T6 right 30 mm") and the finger above it."""
         self._exchange.ask("go", {"place": place}, timeout)
 
     def press(self, place: str, depth_mm: float = 6.0, *, finger: str = "left", timeout: float = 10.0) -> None:
@@ -314,16 +314,16 @@ class Widget:
         self._exchange.ask("press", {"place": place, "depth": float(depth_mm), "finger": _finger(finger)}, timeout)
 
     def lift(self, finger: str = "left", *, timeout: float = 10.0) -> None:
-        """Lifts a finger that was pressed."""
+        """Lifts a pressed finger."""
         self._exchange.ask("lift", {"finger": _finger(finger)}, timeout)
 
     def open(self, vertices: ArrayLike, faces: ArrayLike, *, name: str = "mesh", timeout: float = 120.0) -> None:
-        """Has the page touch a mesh: (V, 3) mm and (F, 3), repaired there. Its stiffness is the page's."""
+        """Loads a mesh into the page: (V, 3) mm and (F, 3), repaired there. The page sets its stiffness."""
         self._exchange.mesh = _ply_of(np.asarray(vertices, dtype=np.float64), np.asarray(faces))
         self._exchange.ask("open", {"file": name + ".ply", "unit_mm": 1}, timeout)
 
     def recorded(self, *, timeout: float = 60.0) -> dict[str, Any]:
-        """Every tick that the page keeps, five minutes of touch at 1 kHz, to the last bit.
+        """Every tick that the page stores (five minutes of touch at 1 kHz), bit by bit.
 
         A dict of arrays: time_s and depth_mm (N,), finger and state (N,) of text, tip_mm, proxy_mm, anchor_mm and force_n
         (N, 3); and `toml`, the scene. The columns are those of forces.csv (docs/reference/simulate.md).
@@ -332,7 +332,7 @@ class Widget:
         return {**_table_of(result["csv"]), "toml": result["toml"]}
 
     def close(self) -> None:
-        """Ends the server: pages that are shown feel on, and are heard no more."""
+        """Stops the server; open pages continue, but are no longer connected."""
         with self._exchange.changed:
             self._exchange.closed = True
             self._exchange.changed.notify_all()

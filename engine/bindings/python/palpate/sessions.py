@@ -1,4 +1,4 @@
-"""Recorded sessions: read, felt again, walked through.
+"""Recorded sessions: reading, replaying and iterating over them.
 
     with palpate.sessions.Session("run.session") as run:
         felt = run.samples(["tick", "tip", "force"], finger="left")   # dict of arrays

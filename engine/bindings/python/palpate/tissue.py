@@ -13,7 +13,7 @@ __all__ = ["Law", "LayeredTissue", "Modulus", "default_modulus", "moduli", "prof
 
 
 class Modulus(NamedTuple):
-    """Young's modulus at rest as a source tells it; low and high are the same where it tells one number."""
+    """Young's modulus at rest as published; low and high are equal for a single value."""
 
     tissue: str
     low_kpa: float
@@ -25,7 +25,7 @@ class Modulus(NamedTuple):
 
 
 def moduli() -> list[Modulus]:
-    """What is published about skin, fat and muscle, and what the project takes by default.
+    """Published moduli of skin, fat and muscle, and the defaults of this project.
 
     Published stiffness of one tissue spreads over two or three powers of ten: the defaults represent nobody.
     """

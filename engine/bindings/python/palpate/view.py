@@ -32,7 +32,7 @@ __all__ = ["Camera", "render", "save", "widget"]
 
 @dataclass(frozen=True)
 class Camera:
-    """Where the eye is; what is None is as the scene has it.
+    """Position of the camera; values of None are taken from the scene.
 
     side: "back", "left", "right", "above", "front", "table" (as one stands beside a table). yaw_deg, pitch_deg: turned
     from there; positive sees more of the patient's right, and looks from above. zoom: 1 shows the whole body. look_at:
@@ -124,7 +124,7 @@ def save(file: str | os.PathLike[str], picture: NDArray[np.uint8]) -> None:
 
 
 def widget(*, height: int = 640, site: str | os.PathLike[str] | None = None) -> Widget:
-    """The page of `tools/build-web` for a cell of a notebook: press there, and have what was felt here.
+    """The page of `tools/build-web` for a cell of a notebook: press there, and get the contact data here.
 
     height: of the cell, pixels. site: the page's folder; None: $PALPATE_SITE, the wheel's, the installed one, or that
     of a build.
