@@ -89,7 +89,7 @@ void ClassRun::watch(const std::string& folder, ClassShown& shown) {
   const std::string whole = wholePath(folder);
   shown.trouble.clear();
   if (!has(whole, "class.toml") && !has(whole, "instructor.toml")) {
-    shown.trouble = trf("{} holds no class.toml or instructor.toml", whole);
+    shown.trouble = trf("{} has no class.toml or instructor.toml", whole);
     return;
   }
   watch_ = started({"class", "watch", whole, "--language", languageCode()}, shown);
@@ -101,7 +101,7 @@ void ClassRun::join(const std::string& folder, ClassShown& shown) {
   const std::string whole = wholePath(folder);
   shown.trouble.clear();
   if (!has(whole, "station.toml")) {
-    shown.trouble = trf("{} holds no station.toml: name a station's folder, such as stations/s01", whole);
+    shown.trouble = trf("{} has no station.toml; name a station's folder, such as stations/s01", whole);
     return;
   }
   join_ = started({"train", "--class", whole, "--language", languageCode()}, shown);

@@ -31,7 +31,7 @@ void ReplayPlayer::load(const std::string& file, bool beside, const std::shared_
 void ReplayPlayer::playScript(const std::shared_ptr<const scene::World>& world, ViewerState& viewer) {
   if (recorded_ && recorded_->of_script) return freeze(viewer.replay, false);
   if (world->scene.fingers.empty()) {
-    return viewer.report(Severity::info, "This scene has no fingers of its own: it says nothing under [[finger]]");
+    return viewer.report(Severity::info, "This scene has no fingers of its own; add a [[finger]] to its file");
   }
   if (!loader_.load([world](const Progress& progress) { return touchOfScript(world, progress); }))
     viewer.report(Severity::info, kStillReading);
@@ -78,7 +78,7 @@ void ReplayPlayer::show(RecordedTouch touch, LiveModel& model, ViewerState& view
     viewer.request(OpenBeside{std::exchange(viewer.beside_at_first, {})});
   }
   if (!trace::isRecording(pathOf(recorded_->file)) && trace::isUnfinished(pathOf(recorded_->file))) {
-    viewer.report(Severity::warning, trf("{} was not finished: its {:.1f} s are what was written before the end",
+    viewer.report(Severity::warning, trf("{} was interrupted: the {:.1f} s written until then are shown",
                                          recorded_->file, viewer.replay.to_s - viewer.replay.from_s));
   }
 }

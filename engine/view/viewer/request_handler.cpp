@@ -64,7 +64,7 @@ void RequestHandler::checkOrientation() {
     turn_over_ = doubt->value.value_or(mesh::TurnOver::none);
     if (turn_over_ != mesh::TurnOver::none && !viewer.question) {
       viewer.ask({.kind = Question::Kind::turn,
-                  .words = toTranslate("This body may be inside out: its inner side is felt and seen. Turn it over?"),
+                  .words = toTranslate("This body may be inside out: you see and feel its inner side. Turn it over?"),
                   .answers = {toTranslate("Turn it over"), toTranslate("As it is")}});
     }
   }
@@ -124,7 +124,7 @@ void RequestHandler::saveThen(const SaveScene& request, const std::optional<Requ
 
 void RequestHandler::handle(const CopyScene& /*request*/) {
   ViewerState& viewer = parts_.viewer;
-  if (!parts_.host.set_clipboard) return viewer.report(Severity::warning, "There is no clipboard");
+  if (!parts_.host.set_clipboard) return viewer.report(Severity::warning, "No clipboard is available");
   parts_.host.set_clipboard(sceneSnippet(viewer));
   viewer.report(Severity::info, "Scene copied to the clipboard");
 }

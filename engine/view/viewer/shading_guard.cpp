@@ -52,12 +52,11 @@ void guardShading(ShadingGuard& guard, ViewerState& viewer, double elapsed_s, bo
     const auto change = guard.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, gains);
     if (change == ShadingGuard::Change::simpler) {
       // The menu bar shows it as long as it lasts; a plate over the picture would hide what is already slow.
-      viewer.messages.note(trf("At {:.0f} fps the skin is drawn smooth for now; "
-                               "Show > shading decides for good",
+      viewer.messages.note(trf("At {:.0f} fps the skin is drawn smooth for now; choose for good under Show > shading",
                                viewer.performance.frames_per_s),
                            viewer.now_s);
     } else if (change == ShadingGuard::Change::as_requested) {
-      viewer.messages.note("There is time to spare: the skin is drawn as before", viewer.now_s);
+      viewer.messages.note("Pictures are fast again: the skin is drawn as before", viewer.now_s);
     }
   }
   viewer.simple_shading = guard.simple();

@@ -76,7 +76,7 @@ Frustum makeFrustum(const Screen& screen, const Vec3& eye, double near_mm, doubl
   const Vec3 normal = right.cross(up).normalized();
   const Vec3 to_left = screen.lower_left - eye;
   const double distance = -normal.dot(to_left);
-  if (!(distance > 0.0)) throw Error("the eye is not in front of the screen");
+  if (!(distance > 0.0)) throw Error("the eye must be in front of the screen");
   const double scale = near_mm / distance;
   Frustum frustum;
   frustum.eye = eye;

@@ -87,7 +87,7 @@ Image decodeImage(std::string_view bytes) {
 
 Image readPng(const std::filesystem::path& file) {
   Image image = decodeImage(readFile(file, kMaxPngBytes));
-  if (image.pixels.empty()) throw Error::inFile(file.string(), "is not a PNG file that can be read");
+  if (image.pixels.empty()) throw Error::inFile(file.string(), "is not a readable PNG file");
   return image;
 }
 

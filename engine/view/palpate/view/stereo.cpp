@@ -25,7 +25,7 @@ Screen rectangle(const Vec3& middle, const Vec3& half_right, const Vec3& half_up
 }
 
 void placeTrackedHead(const Camera& camera, const TrackedHead& head, double aspect, Eyes& eyes) {
-  if (!(head.eyes_mm.z() > 0.0)) throw Error("the tracked head is not in front of its screen");
+  if (!(head.eyes_mm.z() > 0.0)) throw Error("the tracked head must be in front of its screen");
   const double half_height = 0.5 * head.screen_height_mm;
   eyes.screen = rectangle(camera.centre, aspect * half_height * camera.right(), half_height * camera.up());
   eyes.middle = camera.centre + head.eyes_mm.x() * camera.right() + head.eyes_mm.y() * camera.up() +

@@ -109,7 +109,7 @@ TEST(Frustum, NeedsAnEyeBeforeTheScreen) {
   const Camera camera;
   const Vec3 behind = camera.centre - camera.backward();
   EXPECT_EQ(support::thrownMessage([&] { makeFrustum(cameraScreen(camera, 1.0), behind, 1.0, 10.0); }),
-            "the eye is not in front of the screen");
+            "the eye must be in front of the screen");
 }
 
 TEST(Ray, ThroughAPlaceOfTheScreenMeetsWhatIsSeenThere) {

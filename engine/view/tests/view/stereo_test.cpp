@@ -72,7 +72,7 @@ TEST(Eyes, OfATrackedHeadMustBeBeforeTheScreen) {
   StereoSettings settings;
   settings.head = TrackedHead{{0.0, 0.0, -10.0}, 290.0};
   EXPECT_EQ(support::thrownMessage([&] { placeEyes(Camera{}, settings, kScreenAspect); }),
-            "the tracked head is not in front of its screen");
+            "the tracked head must be in front of its screen");
 }
 
 TEST(DepthRange, HoldsTheBoxAndNothingTooNear) {

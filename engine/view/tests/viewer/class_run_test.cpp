@@ -96,10 +96,10 @@ TEST_F(ClassInTheWindow, RefusesFoldersThatAreNone) {
   Stage stage = this->stage();
   stage.state().request(JoinClass{folder_.path().string()});
   stage.frame();
-  EXPECT_NE(stage.state().class_shown.trouble.find("holds no station.toml"), std::string::npos);
+  EXPECT_NE(stage.state().class_shown.trouble.find("has no station.toml"), std::string::npos);
   stage.state().request(WatchClass{folder_.path().string()});
   stage.frame();
-  EXPECT_NE(stage.state().class_shown.trouble.find("holds no class.toml"), std::string::npos);
+  EXPECT_NE(stage.state().class_shown.trouble.find("has no class.toml"), std::string::npos);
   EXPECT_FALSE(stage.state().class_shown.anything());
 }
 

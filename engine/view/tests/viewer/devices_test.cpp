@@ -154,7 +154,7 @@ TEST(Devices, ALostOneSaysSoAndComesBack) {
   EXPECT_NE(held.devices().fingers[0].reading.state.faults, 0u);
   EXPECT_FALSE(held.stage.viewer->wantsToQuit());
   held.control.devices[0].connected = true;
-  const auto back = [&] { return held.stage.lastMessage().find("is back") != std::string::npos; };
+  const auto back = [&] { return held.stage.lastMessage().find("has reconnected") != std::string::npos; };
   EXPECT_TRUE(held.stage.until(back)) << held.stage.lastMessage();
   EXPECT_TRUE(held.stage.until([&] { return held.devices().fingers[0].reading.state.faults == 0; }));
   EXPECT_EQ(held.force(), 0.0) << "it is inside: nothing before it has been outside";

@@ -161,7 +161,7 @@ DevicesShown someDevices() {
   left.reading.state.buttons = 2;
   left.positions_per_s = 998.0;
   left.most_loss_n_mm = 0.004;
-  devices.back_ends = {{.name = "openhaptics", .available = true, .devices = {"at work here"}},
+  devices.back_ends = {{.name = "openhaptics", .available = true, .devices = {"in use here"}},
                        {.name = "forcedimension",
                         .reason = "libdhd.so: cannot open shared object file",
                         .remedy = "install the maker's SDK, or name the file by PALPATE_LIBDHD"},

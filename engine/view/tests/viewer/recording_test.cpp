@@ -68,7 +68,7 @@ TEST(Recording, OnAFullDiskEndsWithAMessageAndKeepsItsRows) {
 
   stage.drop(part);
   ASSERT_TRUE(stage.until([&] { return !stage.state().replay.table.empty(); })) << stage.lastMessage();
-  EXPECT_TRUE(stage.lastMessage().starts_with(part.string() + " was not finished")) << stage.lastMessage();
+  EXPECT_TRUE(stage.lastMessage().starts_with(part.string() + " was interrupted")) << stage.lastMessage();
 }
 
 TEST(Recording, IntoAFolderThatVanishesEndsWithAMessage) {
@@ -77,7 +77,7 @@ TEST(Recording, IntoAFolderThatVanishesEndsWithAMessage) {
   fs::remove_all(stage.folder.path());
   ASSERT_TRUE(stage.until([&] { return !stage.state().recording.forces; }));
   EXPECT_TRUE(saidThatItEnded(stage)) << stage.lastMessage();
-  EXPECT_NE(stage.lastMessage().find("nothing of it could be kept"), std::string::npos) << stage.lastMessage();
+  EXPECT_NE(stage.lastMessage().find("nothing of it could be saved"), std::string::npos) << stage.lastMessage();
   EXPECT_GT(stage.finger().depth_mm, 5.0) << "the touch went on";
 }
 

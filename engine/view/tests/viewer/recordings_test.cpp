@@ -147,7 +147,7 @@ TEST(Sessions, TheSwitchEndsAndBeginsTheRecording) {
   ASSERT_TRUE(stage.until([&] { return !stage.state().recording.viewer; }));
   EXPECT_EQ(sessionsIn(stage.sessions()).size(), 1u);
   stage.key(window::key('R'), {false, true});
-  EXPECT_NE(stage.lastMessage().find("Nothing is recorded"), std::string::npos);
+  EXPECT_NE(stage.lastMessage().find("Automatic recording is off"), std::string::npos);
   stage.state().state.keeps_last_hour = true;
   EXPECT_TRUE(stage.until([&] { return stage.state().recording.length_s > 0.2; }));
 }

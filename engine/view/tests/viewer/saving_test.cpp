@@ -52,7 +52,7 @@ TEST(Saving, KeepsTheCommentsOfAPersonsFile) {
   EXPECT_EQ(stage.lastMessage(), "The scene is saved as " + file.string());
   EXPECT_FALSE(stage.state().history.changed());
   stage.key(window::key('S'), kCtrl);
-  EXPECT_EQ(stage.lastMessage(), "Nothing to save: " + file.string() + " says it all");
+  EXPECT_EQ(stage.lastMessage(), "Nothing to save: " + file.string() + " is up to date");
 }
 
 TEST(Saving, AnEndThatCannotAskKeepsTheChangesBesideTheScene) {

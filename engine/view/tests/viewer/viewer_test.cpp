@@ -241,7 +241,7 @@ TEST(Viewer, ARecordingHasARedDotATimeAndAMessage) {
   Stage stage;
   EXPECT_FALSE(widgetPlaces().contains("menu/recording"));
   stage.key(window::key('R'));
-  EXPECT_TRUE(stage.lastMessage().starts_with("Recording forces into ")) << stage.lastMessage();
+  EXPECT_TRUE(stage.lastMessage().starts_with("Recording forces to ")) << stage.lastMessage();
   stage.frame();
   const std::array<float, 4> words = widgetPlaces().at("menu/recording");
   const view::Image picture = stage.picture();

@@ -102,7 +102,7 @@ TEST(WorldSwap, FeelsAnotherSceneAtTheRateTheWindowBeganWithAndSaysSo) {
   EXPECT_EQ(work.servo.thread().ticksPerS(), 1000.0);
   ASSERT_EQ(work.viewer.messages.all().size(), 1u);
   EXPECT_EQ(work.viewer.messages.all().front().text,
-            "Felt at 1000 ticks a second, as this window began; the scene says 500");
+            "Touch runs at 1000 ticks per second since this window opened; the scene asks for 500");
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ void DeviceControl::begin(ViewerState& viewer) {
   if (asked_.empty()) return;
   viewer.ask({.kind = Question::Kind::devices,
               .words = trf("The scene wants to open {}: another program, a driver or a file. Open it only if you trust "
-                           "whoever made the scene.",
+                           "the author of the scene.",
                            names),
               .answers = {toTranslate("Keep the mouse"), toTranslate("Open"), toTranslate("Cancel")}});
 }
@@ -93,7 +93,7 @@ void DeviceControl::openAsked(ViewerState& viewer) {
 
 void DeviceControl::release(ViewerState& viewer) {
   servo_.thread().emergencyStop().release();
-  viewer.report(Severity::info, "The emergency stop is released: forces come back once the tip has been outside");
+  viewer.report(Severity::info, "Emergency stop released: forces return once the tip has been off the skin");
 }
 
 bool DeviceControl::handle(const window::InputEvent& event, bool text_wanted, ViewerState& viewer) {
@@ -132,7 +132,7 @@ void DeviceControl::adoptOpened(std::size_t finger, ViewerState& viewer, const s
   if (!opened) return;
   const std::string words = std::exchange(viewer.devices.fingers[finger].opening, {});
   if (!opened->value)
-    return viewer.report(Severity::error, trf("The {} finger stays the mouse's: {}",
+    return viewer.report(Severity::error, trf("The mouse keeps the {} finger: {}",
                                               tr(std::string(kFingerNames[finger]).c_str()), opened->error));
   const std::string about = device::describe(*opened->value);
   OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, viewer, world)};
@@ -162,8 +162,8 @@ void DeviceControl::close(std::size_t finger, ViewerState& viewer) {
   viewer.devices.fingers[finger].trouble.clear();
   if (viewer.devices.calibration.finger == finger) viewer.devices.calibration = {};
   publishHeldDevices(viewer);
-  viewer.report(Severity::info,
-                trf("{} is let go; the mouse has the {} finger", name, tr(std::string(kFingerNames[finger]).c_str())));
+  viewer.report(Severity::info, trf("{} is released; the mouse has the {} finger", name,
+                                    tr(std::string(kFingerNames[finger]).c_str())));
 }
 
 /// The search opens a driver for a moment, so a held one is left alone.
@@ -183,7 +183,7 @@ void DeviceControl::lookForBackEnds(ViewerState& viewer) {
         all.push_back({.name = std::string(back_end.name),
                        .about = std::string(back_end.about),
                        .available = true,
-                       .devices = {tr("at work here")}});
+                       .devices = {tr("in use here")}});
       } else {
         all.push_back(found(back_end));
       }
@@ -231,7 +231,7 @@ void DeviceControl::reportTrouble(std::size_t finger, std::string trouble, Viewe
   if (!servo_.isHeld(finger)) return;
   const std::string was = std::exchange(viewer.devices.fingers[finger].trouble, std::move(trouble));
   const std::string& is = viewer.devices.fingers[finger].trouble;
-  if (is.empty() && !was.empty()) viewer.report(Severity::info, trf("{} is back", servo_.opened(finger).words));
+  if (is.empty() && !was.empty()) viewer.report(Severity::info, trf("{} has reconnected", servo_.opened(finger).words));
   if (!is.empty() && was.empty()) viewer.report(Severity::warning, is);
 }
 

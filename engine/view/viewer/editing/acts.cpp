@@ -191,7 +191,7 @@ void perform(Action action, ViewerState& viewer) {
     case Action::cancel:
       return cancel(viewer);
     case Action::measure_person:  // no mode has handled it
-      return viewer.report(Severity::info, "This window measures no photographs");
+      return viewer.report(Severity::info, "This window cannot measure photographs");
     default:
       return;
   }

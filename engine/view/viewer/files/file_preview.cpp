@@ -99,7 +99,7 @@ Mat3 eyeAxes() {
 mesh::MeshWithChannels loadInTime(const fs::path& file, const mesh::LoadOptions& options, double max_seconds) {
   const auto started = Clock::now();
   return mesh::loadWithChannels(file, options, [&](std::string_view, double) {
-    if (secondsSince(started) > max_seconds) throw Error("it takes long to read: no preview");
+    if (secondsSince(started) > max_seconds) throw Error("no preview: reading takes too long");
   });
 }
 

@@ -55,7 +55,7 @@ void collectSamples(trace::RecordingReader& viewer, const trace::TickSpan& span,
     }
     return true;
   });
-  if (other_before) recorded.notes.emplace_back(tr("What was felt on another body before is not shown"));
+  if (other_before) recorded.notes.emplace_back(tr("Touch on earlier bodies is not shown"));
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ void collectSamples(trace::RecordingReader& viewer, const trace::TickSpan& span,
 RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& progress) {
   trace::RecordingReader viewer(file);
   const trace::RecordingFacts& facts = viewer.facts();
-  if (facts.samples == 0) throw Error::inFile(file.string(), "holds no tick");
+  if (facts.samples == 0) throw Error::inFile(file.string(), "contains no ticks");
   const double rate = facts.header.ticks_per_s;
   RecordedTouch recorded;
   recorded.file = file.string();
@@ -74,14 +74,15 @@ RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& 
   recorded.world =
       engine::builtWorld(shown, carried.folder().empty() ? pathOf(shown.folder) : carried.folder(), progress);
   if (engine::hashOf(*recorded.world) != shown.hash) {
-    recorded.notes.emplace_back(tr("The body or its stiffness is not the recorded one any more"));
+    recorded.notes.emplace_back(tr("The body or its stiffness has changed since the recording"));
   }
   trace::TickSpan span;
   const auto longest = static_cast<std::uint64_t>(kLongestReplayS * rate);
   if (facts.last_tick - facts.first_tick > longest) {
     span.from = facts.last_tick - longest;
-    recorded.notes.push_back(trf("The last {:.0f} of {:.0f} s are shown; palpate recording trim cuts out others",
-                                 kLongestReplayS, facts.seconds()));
+    recorded.notes.push_back(
+        trf("The last {:.0f} of {:.0f} s are shown; cut out other parts with palpate recording trim", kLongestReplayS,
+            facts.seconds()));
   }
   collectSamples(viewer, span, shown, recorded, progress);
   for (std::size_t i = 0; i < std::min(kFingers, shown.fingers.size()); ++i) {
@@ -91,9 +92,9 @@ RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& 
     if (event.kind == "mark") recorded.marks.push_back({static_cast<double>(event.tick) / rate, event.text});
   }
   if (facts.ended_by.empty()) {
-    recorded.notes.emplace_back(tr("It was not finished: what was written before its program ended is shown"));
+    recorded.notes.emplace_back(tr("The recording was interrupted: what was written until then is shown"));
   }
-  if (facts.dropped > 0) recorded.notes.push_back(trf("{} samples are missing in it", facts.dropped));
+  if (facts.dropped > 0) recorded.notes.push_back(trf("{} samples are missing", facts.dropped));
   return recorded;
 }
 

@@ -61,7 +61,7 @@ void Outputs::endBrokenForces(ViewerState& viewer, const std::string& why) {
   viewer.recording.forces = false;
   const std::string kept = forces_.abandon();
   const std::string rest =
-      kept.empty() ? std::string(tr("nothing of it could be kept")) : trf("what was written is kept in {}", kept);
+      kept.empty() ? std::string(tr("nothing of it could be saved")) : trf("what was written is kept in {}", kept);
   viewer.report(Severity::error, trf("The recording ended: {}; {}", why, rest));
 }
 
@@ -71,7 +71,7 @@ void Outputs::toggleForces(ViewerState& viewer) {
     recording.forces = false;
     try {
       forces_.stop();
-      viewer.report(Severity::info, trf("Forces are in {}", recording.forces_file));
+      viewer.report(Severity::info, trf("Forces saved in {}", recording.forces_file));
     } catch (const std::exception& error) {
       endBrokenForces(viewer, error.what());
     }
@@ -82,14 +82,14 @@ void Outputs::toggleForces(ViewerState& viewer) {
   recording.forces = true;
   recording.forces_file = file.string();
   recording.since_s = viewer.now_s;
-  viewer.report(Severity::info, trf("Recording forces into {}; R ends it", recording.forces_file));
+  viewer.report(Severity::info, trf("Recording forces to {}; press R to stop", recording.forces_file));
 }
 
 void Outputs::toggleSequence(ViewerState& viewer) {
   Recording& recording = viewer.recording;
   if (recording.sequence) {
     recording.sequence = false;
-    viewer.report(Severity::info, trf("{} pictures are in {}", recording.pictures, recording.sequence_folder));
+    viewer.report(Severity::info, trf("{} pictures saved in {}", recording.pictures, recording.sequence_folder));
     return;
   }
   const fs::path folder = freshFile(folder_, "pictures", "");
@@ -97,14 +97,14 @@ void Outputs::toggleSequence(ViewerState& viewer) {
   recording.sequence = true;
   recording.sequence_folder = folder.string();
   recording.pictures = 0;
-  viewer.report(Severity::info, trf("Recording pictures into {}", recording.sequence_folder));
+  viewer.report(Severity::info, trf("Recording pictures to {}", recording.sequence_folder));
 }
 
 void Outputs::savePlots(ViewerState& viewer) {
   const Plots& plots = viewer.plots;
   const fs::path file = freshFile(folder_, "plots", ".csv");
   const auto write = [&] { writeFile(file, historyAsCsv(plots.fingers, plots.shownEnd(), plots.window_s)); };
-  if (attempt(viewer, file, write)) viewer.report(Severity::info, trf("The plots are in {}", file.string()));
+  if (attempt(viewer, file, write)) viewer.report(Severity::info, trf("Plots saved in {}", file.string()));
 }
 
 Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request) {
@@ -114,7 +114,7 @@ Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request
     const bool known = fs::absolute(target).lexically_normal() == viewer.document.file;
     viewer.ask({.kind = Question::Kind::overwrite,
                 .words = known ? trf("{} has changed on disk since it was opened. Overwrite it?", target.string())
-                               : trf("{} exists already. Write over it?", target.string()),
+                               : trf("{} already exists. Overwrite it?", target.string()),
                 .answers = {toTranslate("Overwrite"), toTranslate("Cancel")},
                 .file = target.string()});
     return Saving::asked;
@@ -127,7 +127,7 @@ Outputs::Saving Outputs::saveScene(ViewerState& viewer, const SaveScene& request
   viewer.scene.strain = scene.strain;
   viewer.opened = {.look = viewer.state.look, .stereo = viewer.state.stereo};
   viewer.history.saved(viewer);
-  std::string words = written.as_it_was ? trf("Nothing to save: {} says it all", viewer.document.file.string())
+  std::string words = written.as_it_was ? trf("Nothing to save: {} is up to date", viewer.document.file.string())
                                         : trf("The scene is saved as {}", viewer.document.file.string());
   if (!written.kept.empty()) words += trf("; its comments could not be kept and are in {}", written.kept.string());
   viewer.report(Severity::info, words);
@@ -179,7 +179,7 @@ void Outputs::startFilm(ViewerState& viewer, const std::string& file) {
   film_.start(pathOf(file));
   viewer.recording.film = true;
   viewer.recording.film_since_s = viewer.now_s;
-  viewer.report(Severity::info, trf("Filming into {}; File > Stop the film ends it", file));
+  viewer.report(Severity::info, trf("Filming to {}; stop with File > Stop the film", file));
 }
 
 void Outputs::stopFilm(ViewerState& viewer) {

@@ -88,7 +88,7 @@ void touch(engine::ServoPlan& plan, const RecordedTips& of, RecordedTouch& recor
   const double begin_s = std::min(0.0, of.time_s.front());  // the table's own times, but none before the first tick
   for (; row < of.time_s.size(); ++row) {
     if (row % kBetweenReports == 0) {
-      report(progress, "feeling it again", static_cast<double>(row) / static_cast<double>(of.time_s.size()));
+      report(progress, "replaying the touch", static_cast<double>(row) / static_cast<double>(of.time_s.size()));
     }
     for (std::size_t f = 0; f < of.tips.size(); ++f) {
       if (jumps(of.tips[f], row)) engine::forgetTouch(rig.fingers[f]);

@@ -149,9 +149,9 @@ void RecordingKeeper::advance(ViewerState& viewer) {
     recording.keeping = false;
     if (kept->failure.empty()) {
       recording.kept_file = kept->file.string();
-      viewer.report(Severity::info, trf("The last {:.1f} s are kept as {}", kept->seconds, recording.kept_file));
+      viewer.report(Severity::info, trf("The last {:.1f} s are saved as {}", kept->seconds, recording.kept_file));
     } else {
-      viewer.report(Severity::error, trf("The recording is not kept: {}", kept->failure));
+      viewer.report(Severity::error, trf("The recording could not be saved: {}", kept->failure));
     }
   }
   if (state.failure.empty()) return;
@@ -170,7 +170,7 @@ void RecordingKeeper::followDevices(const ViewerState& viewer) {
 
 void RecordingKeeper::save(ViewerState& viewer, const fs::path& folder) {
   if (!recorder_) {
-    return viewer.report(Severity::warning, "Nothing is recorded by itself: Record switches it on");
+    return viewer.report(Severity::warning, "Automatic recording is off: switch it on under Record");
   }
   if (!recorder_->save(freshFile(folder, "session-" + nameNow(), std::string(kExtension)))) return;
   viewer.recording.keeping = true;
@@ -178,7 +178,7 @@ void RecordingKeeper::save(ViewerState& viewer, const fs::path& folder) {
 
 void RecordingKeeper::mark(ViewerState& viewer, std::string words) {
   if (!recorder_) {
-    return viewer.report(Severity::warning, "Nothing is recorded by itself, so there is nothing to mark");
+    return viewer.report(Severity::warning, "Automatic recording is off, so there is nothing to mark");
   }
   if (words.empty()) words = fmt::format("mark {}", viewer.recording.marks + 1);
   ++viewer.recording.marks;

@@ -125,7 +125,7 @@ void classDialog(const ClassShown& shown, const std::filesystem::path& folder, b
   if (!shown.folder.empty() && !shown.runs && shown.trouble.empty()) remark("Making the class ...");
   if (buttonWidget("class/close", "Close", "Esc")) open = false;
   ImGui::SameLine();
-  remark(trf("The manual has it step by step: {}.", tr("Run a class over the network")));
+  remark(trf("Step by step in the manual: {}.", tr("Run a class over the network")));
   endDialog(open);
 }
 

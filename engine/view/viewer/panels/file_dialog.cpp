@@ -96,11 +96,11 @@ Selection walk(Listing& listing, const char* path, const std::string& selected =
     for (const fs::path& file : listing.files) {
       const std::string name = file.filename().string();
       const bool clicked = ImGui::Selectable(name.c_str(), name == selected, ImGuiSelectableFlags_AllowDoubleClick);
-      notePlace(fmt::format("{}/files/{}", path, name), "Click to take it or to go into it.");
+      notePlace(fmt::format("{}/files/{}", path, name), "Click to choose the file or open the folder.");
       if (!clicked) continue;
       chosen = {file.string(), ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)};
     }
-    if (listing.folders.empty() && listing.files.empty()) remark("nothing of that kind here");
+    if (listing.folders.empty() && listing.files.empty()) remark("no matching files here");
   }
   ImGui::EndChild();
   if (!next.empty()) listing = listFolder(next, listing.kinds);
@@ -307,7 +307,7 @@ fs::path fileToWrite(const SaveAs& as, Listing& listing, std::string& typed, std
     return {};
   }
   if (fs::exists(file, error) && std::exchange(confirmed, file.string()) != file.string()) {
-    trouble = trf("{} exists already. Press {} again to replace it.", file.filename().string(), tr(as.button));
+    trouble = trf("{} already exists. Press {} again to replace it.", file.filename().string(), tr(as.button));
     return {};
   }
   return file;

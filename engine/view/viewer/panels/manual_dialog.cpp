@@ -66,7 +66,7 @@ bool resultRow(const ManualResult& result, std::size_t number) {
 
 void results(ManualShown& manual, bool entered) {
   const std::vector<ManualResult> found = searchManual(manual.searched);
-  if (found.empty()) return remark("No page holds all these words.");
+  if (found.empty()) return remark("No page contains all these words.");
   const ManualResult* chosen = entered ? &found.front() : nullptr;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (resultRow(found[i], i)) chosen = &found[i];

@@ -113,12 +113,12 @@ void languageMenu(const Menus& menus) {
   if (!beginMenu("menu/Language", "Language")) return;
   std::string& chosen = menus.state.language;
   const std::string before = chosen;
-  if (plainItem("menu/Language", "as the system", chosen.empty())) chosen.clear();
+  if (plainItem("menu/Language", "system language", chosen.empty())) chosen.clear();
   for (const Language& offered : languages()) {
     if (plainItem("menu/Language", std::string(offered.own_name).c_str(), chosen == offered.code))
       chosen = offered.code;
   }
-  if (chosen != before) menus.output.report(Severity::info, "The language holds from the next start");
+  if (chosen != before) menus.output.report(Severity::info, "The language changes at the next start");
   ImGui::EndMenu();
 }
 
@@ -135,7 +135,7 @@ void mouseMenu(window::InputSettings& input) {
   switchItem("menu/Invert the wheel", "Invert the wheel's zoom", input.invert_zoom);
   double& speed = input.speed;
   ImGui::SetNextItemWidth(110.0f);
-  numberWidget(speed, {"mouse/speed", "speed of turning", "%.2f", 0.25, 4.0, 1.0, "Of the camera."});
+  numberWidget(speed, {"mouse/speed", "speed of turning", "%.2f", 0.25, 4.0, 1.0, "How fast the camera turns."});
   ImGui::EndMenu();
 }
 

@@ -241,7 +241,7 @@ void messageList(Messages& messages, bool& open) {
       }
       ImGui::SetClipboardText(all.c_str());
     }
-    if (messages.all().empty()) remark("Nothing has been said yet.");
+    if (messages.all().empty()) remark("No messages yet.");
     for (const Message& message : messages.all()) {
       ImGui::TextColored(colourOf(message.severity), "%s  %s", trf("{:.1f} s", message.at_s).c_str(),
                          severityPrefix(message.severity).c_str());

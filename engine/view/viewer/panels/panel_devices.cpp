@@ -38,8 +38,8 @@ struct Part {
 
 std::string describeFaults(std::uint32_t faults) {
   static constexpr std::array<const char*, 5> kWords = {
-      toTranslate("no position"), toTranslate("position too old"), toTranslate("the driver is in trouble"),
-      toTranslate("wants to be calibrated by hand"), toTranslate("closed")};
+      toTranslate("no position"), toTranslate("position too old"), toTranslate("the driver reports a fault"),
+      toTranslate("must be calibrated by hand"), toTranslate("closed")};
   std::string words;
   for (std::size_t i = 0; i < kWords.size(); ++i) {
     if ((faults >> i & 1u) != 0) words += fmt::format("{}{}", words.empty() ? "" : ", ", tr(kWords[i]));
@@ -78,12 +78,12 @@ void openWidgets(const Part& part) {
   if (back_ends.empty()) return;
   std::vector<std::string_view> names;
   for (const BackEndFound& back_end : back_ends) names.push_back(back_end.name);
-  choiceWidget(part.path("back_end").c_str(), "device", held.back_end, names, "What is to hold this finger.");
+  choiceWidget(part.path("back_end").c_str(), "device", held.back_end, names, "The device for this finger.");
   ImGui::SetNextItemWidth(0.56f * ImGui::GetContentRegionAvail().x);
   ImGui::InputText(fmt::format("{}##{}", tr("which"), part.path("which")).c_str(), &held.which);
   notePlace(part.path("which"), "Which of several: a number, an address or a name; empty for the first.");
   const std::string& name = back_ends[std::min(held.back_end, back_ends.size() - 1)].name;
-  if (part.button("open", "Open", "It takes the finger from the mouse; forces begin once its tip has been outside.")) {
+  if (part.button("open", "Open", "Take the finger from the mouse; forces begin once its tip has been off the skin.")) {
     part.output.request(OpenDevice{part.finger, held.which.empty() ? name : name + ":" + held.which});
   }
 }
@@ -115,7 +115,7 @@ void liveWidgets(const Part& part) {
 void interventionWidgets(const Part& part) {
   const auto& counts = part.held().interventions.counts();
   const bool open = ImGui::TreeNode(fmt::format("{}##{}", tr("interventions"), part.path("interventions")).c_str());
-  notePlace(part.path("interventions"), "How often each safety rule changed the force, ticks.");
+  notePlace(part.path("interventions"), "Ticks in which each safety rule changed the force.");
   if (!open) return;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] > 0) valueLine(servo::safetyNames()[i], trnf("{} tick", "{} ticks", counts[i], counts[i]));
@@ -145,19 +145,18 @@ scene::DeviceSettings settingsNow(const Part& part) {
 
 bool buttonChoice(const Part& part, const char* control, const char* label, std::size_t& button) {
   static constexpr std::array<std::string_view, 5> kButtons = {"none", "1", "2", "3", "4"};
-  return choiceWidget(part.path(control).c_str(), label, button, kButtons,
-                      "Which of the device's own buttons does it.");
+  return choiceWidget(part.path(control).c_str(), label, button, kButtons, "The device button that does it.");
 }
 
 void workspaceWidgets(const Part& part) {
   const bool open = ImGui::TreeNode(fmt::format("{}##{}", tr("workspace"), part.path("workspace")).c_str());
-  notePlace(part.path("workspace"), "Where the device's space lies in the body, how it is turned and scaled.");
+  notePlace(part.path("workspace"), "Where the device's workspace is in the body, and how it is turned and scaled.");
   if (!open) return;
   scene::DeviceSettings now = settingsNow(part);
   bool changed = part.number(now.scale, "scale",
                              {"", "scale", "%.2f", 0.1, 5.0, 1.0,
-                              "Millimetres of the body per millimetre of the device. More is stiffer in the hand, so "
-                              "the limits are taken down with it."});
+                              "Millimetres of the body per millimetre of the device. A larger scale feels stiffer, so "
+                              "the limits are lowered with it."});
   static constexpr std::array<const char*, 3> kTurns = {"turn_x", "turn_y", "turn_z"};
   static constexpr std::array<const char*, 3> kTurnLabels = {toTranslate("turn x"), toTranslate("turn y"),
                                                              toTranslate("turn z")};
@@ -165,19 +164,20 @@ void workspaceWidgets(const Part& part) {
   static constexpr std::array<const char*, 3> kOriginLabels = {toTranslate("origin x"), toTranslate("origin y"),
                                                                toTranslate("origin z")};
   for (std::size_t i = 0; i < 3; ++i) {
-    changed |= part.number(now.turn_deg[static_cast<int>(i)], kTurns[i],
-                           {"", kTurnLabels[i], "%.0f deg", -180.0, 180.0, 0.0, "How the device stands to the body."});
+    changed |= part.number(
+        now.turn_deg[static_cast<int>(i)], kTurns[i],
+        {"", kTurnLabels[i], "%.0f deg", -180.0, 180.0, 0.0, "How the device is turned relative to the body."});
   }
   for (std::size_t i = 0; i < 3; ++i) {
     changed |= part.number(
         (*now.origin_mm)[static_cast<int>(i)], kOrigins[i],
-        {"", kOriginLabels[i], "%.0f mm", -600.0, 600.0, 0.0, "Place of the body where the device's own origin lies."});
+        {"", kOriginLabels[i], "%.0f mm", -600.0, 600.0, 0.0, "The place in the body of the device's origin."});
   }
   changed |= buttonChoice(part, "clutch_button", "clutch by", now.clutch_button);
   changed |= buttonChoice(part, "stop_button", "stop by", now.stop_button);
   if (part.held().reading.shift_mm.norm() > 0.5) {
     remark(trf("moved on by {:.0f} mm with the clutch", part.held().reading.shift_mm.norm()));
-    if (part.button("keep_shift", "Keep it", "The origin becomes what the clutch has made of it.")) {
+    if (part.button("keep_shift", "Keep it", "Make the clutched position the new origin.")) {
       *now.origin_mm += part.held().reading.shift_mm;
       changed = true;
     }
@@ -205,19 +205,18 @@ void calibrationPlaceWidgets(const Part& part) {
           steps.of_device.size() + 1, device::kCalibrationPlaces));
   const auto& clicked = part.panel.reading;
   const Vec3& place = part.held().known_place;
-  if (!clicked) return remark("No place of the body was clicked yet.");
+  if (!clicked) return remark("No place on the body has been clicked yet.");
   valueLine("place",
             fmt::format("{:.0f}, {:.0f}, {:.0f} mm", clicked->place.x(), clicked->place.y(), clicked->place.z()));
   ImGui::BeginDisabled(!place.allFinite());
-  if (part.button("take", "Take this place", "Needs a position of the device.")) steps.take(place, clicked->place);
+  if (part.button("take", "Take this place", "Needs a position from the device.")) steps.take(place, clicked->place);
   ImGui::EndDisabled();
 }
 
 void calibrationWidgets(const Part& part) {
   CalibrationSteps& steps = part.calibration();
   if (steps.finger != part.finger) {
-    if (part.button("calibrate", "Calibrate by three places",
-                    "Turn, scale and origin from three places that are touched.")) {
+    if (part.button("calibrate", "Calibrate by three places", "Set turn, scale and origin by touching three places.")) {
       steps = {};
       steps.finger = part.finger;
     }
@@ -231,19 +230,19 @@ void calibrationWidgets(const Part& part) {
   } else {
     calibrationPlaceWidgets(part);
   }
-  if (part.button("stop_calibrating", "Leave it")) steps = {};
+  if (part.button("stop_calibrating", "Discard it")) steps = {};
 }
 
 void heldWidgets(const Part& part) {
   FingerHeld& held = part.held();
   remark(held.about);
-  if (part.button("close", "Let it go", "The mouse has the finger again.")) {
+  if (part.button("close", "Release it", "Give the finger back to the mouse.")) {
     part.output.request(CloseDevice{part.finger});
   }
   ImGui::SameLine();
   const std::string clutch = part.path("clutch");
   flagWidget(clutch.c_str(), "clutch", held.clutch,
-             "The device moves and the finger stays, without force (key U, or the device's own button).");
+             "Move the device while the finger stays, without force (key U, or the device's own button).");
   liveWidgets(part);
   interventionWidgets(part);
   workspaceWidgets(part);
@@ -274,7 +273,7 @@ void devicePanel(const DevicePanel& panel, UiOutput& output) {
     devices.fingers[i].words.empty() ? openWidgets(part) : heldWidgets(part);
   }
   ImGui::Separator();
-  flagWidget("devices/reach", "show what they reach", panel.reach, "The box of a device that holds a finger (key J).");
+  flagWidget("devices/reach", "show their reach", panel.reach, "The box that each device in use can reach (key J).");
   if (devices.looking) {
     remark("looking for devices ...");
   } else if (devices.back_ends.empty() || buttonWidget("devices/look", "Look again")) {

@@ -16,12 +16,12 @@ void drawDysfunctionList(const DysfunctionEdit& edit) {
     if (ImGui::Selectable(line.c_str(), chosen)) edit.editor.selected = static_cast<int>(i);
     notePlace(fmt::format("dysfunctions/{}", i + 1), "Select this place: the wheel then sizes it, Delete removes it.");
   }
-  if (items.empty()) remark("None: every place is as it should be.");
+  if (items.empty()) remark("None: every place has its normal stiffness.");
 }
 
 void drawFields(const DysfunctionEdit& edit, maps::Dysfunction& item, const std::string& name) {
   slider(edit, item.change_percent,
-         {"dysfunctions/change", "change", "%+.0f %%", -100.0, 300.0, 50.0, "Of the stiffness at the centre."},
+         {"dysfunctions/change", "change", "%+.0f %%", -100.0, 300.0, 50.0, "Change of stiffness at the centre."},
          trf("change {}", name));
   placeField("dysfunctions", edit, item, name);
   slider(edit, item.radius_mm,
@@ -53,7 +53,7 @@ void dysfunctionPanel(const DysfunctionPanel& panel) {
                            "strength, Delete to remove it."));
   drawDysfunctionList(edit);
   newField("dysfunctions", edit,
-           trf("Where: {}, or so many mm from it. Enter places one, +50 %.", examplePlaces(edit.landmarks)));
+           trf("Where: {}, or a distance in mm from it. Enter places one, +50 %.", examplePlaces(edit.landmarks)));
   if (maps::Dysfunction* item = selectedItem(edit)) {
     drawFields(edit, *item, nameOfSelected(edit));
     if (buttonWidget("dysfunctions/delete", "Delete")) deleteSelected(edit);

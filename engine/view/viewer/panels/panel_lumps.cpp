@@ -67,7 +67,7 @@ void drawFields(const LumpEdit& edit, scene::LumpSettings& item, const std::stri
   sizeField(edit, item, name);
   slider(edit, item.depth_mm,
          {"lumps/depth", "depth", "%.1f mm", 2.5, 60.0, 8.0,
-          "Of its top under the skin; it must lie under the skin's own layer and over the bone."},
+          "Depth of its top; it must be below the skin layer and above the bone."},
          trf("sink {}", name));
   hardnessField(edit, item, name);
   slider(edit, item.edge,
@@ -77,7 +77,7 @@ void drawFields(const LumpEdit& edit, scene::LumpSettings& item, const std::stri
   mobilityField(edit, item, name);
   slider(edit, item.raise_mm,
          {"lumps/swelling", "swelling", "%.1f mm", 0.0, 10.0, 0.0,
-          "How far the skin over it is raised at rest; the body is built again."},
+          "How far the skin over it is raised at rest; the body is rebuilt."},
          trf("raise {}", name));
   placeNumbers("lumps/x", "lumps/y", edit, item, name);
 }
@@ -91,7 +91,7 @@ void lumpPanel(const LumpPanel& panel) {
                            "hardness, Delete to remove it."));
   drawLumpList(edit);
   newField("lumps", edit,
-           trf("Where: {}, or so many mm from it. Enter places a lump of 10 mm.", examplePlaces(edit.landmarks)));
+           trf("Where: {}, or a distance in mm from it. Enter places a lump of 10 mm.", examplePlaces(edit.landmarks)));
   if (scene::LumpSettings* item = selectedItem(edit)) {
     drawFields(edit, *item, nameOfSelected(edit));
     if (buttonWidget("lumps/delete", "Delete")) deleteSelected(edit);

@@ -109,7 +109,7 @@ void fidelityWidgets(const SceneKeys& keys) {
 void modelPanel(const ModelPanel& panel, UiOutput& output) {
   const SceneKeys keys{panel.scene, output};
   drawWorldFacts(panel.world);
-  if (buttonWidget("model/open", "Open ...", "A scene or a mesh; or drop a file on the window.")) {
+  if (buttonWidget("model/open", "Open ...", "Open a scene or a mesh, or drop a file on the window.")) {
     panel.open_dialog = true;
   }
   ImGui::SameLine();

@@ -28,21 +28,21 @@ namespace {
 
 /// Controls of the automatic recording.
 void sessionPart(const Recording& recording, bool& keeps_last_hour, UiOutput& output) {
-  flagWidget("record/session", "Record the last hour by itself", keeps_last_hour,
-             "Every tick of both fingers, in a recording file that a crash leaves readable.");
+  flagWidget("record/session", "Record the last hour automatically", keeps_last_hour,
+             "Record every tick of both fingers in a file that stays readable after a crash.");
   if (!recording.viewer) return;
   const int seconds = static_cast<int>(recording.length_s);
   const std::string recorded = trf("{}:{:02} recorded", seconds / 60, seconds % 60);
   remark(recording.dropped == 0 ? recorded : trf("{}, {} samples missing", recorded, recording.dropped));
   if (buttonWidget("record/keep", recording.keeping ? "Keeping ..." : "Keep the recording (Shift+R)",
-                   "Copies the last hour into a recording file: to be shown again, proven, sent with a bug report.")) {
+                   "Copy the last hour to a recording file, to replay it, verify it or send it with a bug report.")) {
     output.request(KeepRecording{});
   }
-  if (buttonWidget("record/mark", "Set a mark (Shift+M)", "In the recording, to be found again.")) {
+  if (buttonWidget("record/mark", "Set a mark (Shift+M)", "Mark this moment in the recording, to find it again.")) {
     output.request(SetMark{});
   }
   if (!recording.kept_file.empty() &&
-      buttonWidget("record/play", "Show what was kept", "Plays it on the body it was felt on; Space ends it.")) {
+      buttonWidget("record/play", "Show the kept recording", "Play it on the body it was felt on; Space ends it.")) {
     output.request(OpenFile{recording.kept_file});
   }
 }
@@ -52,7 +52,7 @@ void sessionPart(const Recording& recording, bool& keeps_last_hour, UiOutput& ou
 void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s, UiOutput& output) {
   sessionPart(recording, keeps_last_hour, output);
   if (buttonWidget("record/forces", recording.forces ? "Stop recording (R)" : "Record forces (R)",
-                   "Every finger in every tick, as a CSV table.")) {
+                   "Record every finger in every tick as a CSV table.")) {
     output.request(ToggleForces{});
   }
   if (recording.forces) {
@@ -61,11 +61,11 @@ void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s
   if (!recording.forces && !recording.forces_file.empty() &&
       buttonWidget(
           "record/replay", "Replay what was recorded",
-          "Presses the same places again, to be stepped tick by tick. Other tables: Open, or drop them here.")) {
+          "Press the same places again and step through tick by tick. Open other tables, or drop them here.")) {
     output.request(OpenFile{recording.forces_file});
   }
   if (buttonWidget("record/sequence", recording.sequence ? "Stop the pictures" : "Record pictures",
-                   "Every frame as a PNG file, in a folder of their own.")) {
+                   "Save every frame as a PNG file in a new folder.")) {
     output.request(ToggleSequence{});
   }
   if (recording.sequence) remark(trf("{} pictures in {}", recording.pictures, recording.sequence_folder));
@@ -77,7 +77,7 @@ void recordPanel(const Recording& recording, bool& keeps_last_hour, double now_s
   if (buttonWidget("record/csv", "Save the plots as CSV")) output.request(SavePlots{});
   if (buttonWidget("record/scene", "Save the scene (Ctrl+S)")) output.request(SaveScene{});
   if (buttonWidget("record/copy_scene", "Copy as a scene (Ctrl+C)",
-                   "What is seen and felt now, as the text of a scene file: for mails, notes and bug reports.")) {
+                   "Copy what you see and feel now as the text of a scene file, for emails, notes and bug reports.")) {
     output.act(window::Action::copy_scene);
   }
 }

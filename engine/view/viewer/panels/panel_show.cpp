@@ -37,7 +37,7 @@ void lookWidgets(const ShowPanel& panel) {
   view::Look& look = panel.look;
   auto shading = static_cast<std::size_t>(look.shading);
   if (choiceWidget("show/shading", "shading", shading, kShadings,
-                   "Light at the corners, as in the dissertation and fastest, or at each pixel, as skin takes it.")) {
+                   "Light at the vertices, as in the dissertation (fastest), or at each pixel, like skin.")) {
     look.shading = static_cast<view::Shading>(shading);
     panel.simpler_when_slow = false;  // an explicit choice stays
   }
@@ -48,23 +48,24 @@ void lookWidgets(const ShowPanel& panel) {
     if (buttonWidget("show/all_the_same", "Draw skin all the same")) panel.simpler_when_slow = false;
   }
   auto finger = static_cast<std::size_t>(look.finger);
-  if (choiceWidget("show/finger", "finger", finger, kFingerShapes, "What is drawn where the finger is.")) {
+  if (choiceWidget("show/finger", "finger", finger, kFingerShapes, "What is drawn in place of the finger.")) {
     look.finger = static_cast<view::FingerShape>(finger);
   }
   numberWidget(look.skin_opacity,
                {"show/opacity", "skin opacity", "%.2f", 0.0, 1.0, 1.0, "Below 1 the bones show through (key O)."});
   numberWidget(look.skin_tone, {"show/tone", "skin tone", "%.1f", 1.0, 6.0, 3.0,
                                 "From 1, very light, to 6, very dark, about as Fitzpatrick's types."});
-  numberWidget(look.dent_contrast, {"show/dents", "dent contrast", "%.1f x", 0.0, 5.0, 1.0,
-                                    "1 is as it would be near by, with contours on small dents; above, dents are drawn "
-                                    "deeper than light shows them."});
+  numberWidget(
+      look.dent_contrast,
+      {"show/dents", "dent contrast", "%.1f x", 0.0, 5.0, 1.0,
+       "1 looks as from nearby, with contours on small dents; above 1, dents are drawn deeper than light shows them."});
   const bool has_colours = panel.world.channels && !panel.world.channels->colours.empty();
   if (panel.world.has_picture) {
-    flagWidget("show/picture", "picture on the skin", look.texture, "The one that the scene names.");
+    flagWidget("show/picture", "picture on the skin", look.texture, "The picture that the scene names.");
   } else if (has_colours) {
-    flagWidget("show/colours", "colours of the file", look.texture, "Those that the mesh file has for its vertices.");
+    flagWidget("show/colours", "colours of the file", look.texture, "The colours of the mesh file's vertices.");
   }
-  flagWidget("show/white", "white background", look.white_background, "For papers.");
+  flagWidget("show/white", "white background", look.white_background, "For use in papers.");
 }
 
 view::ColourRange& shownRange(view::Look& look) {
@@ -80,7 +81,7 @@ void rangeWidgets(view::Look& look, const WorldFacts& world) {
   const bool strain = look.colouring == view::Colouring::strain;
   if (strain) {
     double end = range.high;
-    if (numberWidget(end, {"show/range", "to", "%.1f %%", 0.5, 100.0, 20.0, "Symmetric about no strain."})) {
+    if (numberWidget(end, {"show/range", "to", "%.1f %%", 0.5, 100.0, 20.0, "Symmetric about zero strain."})) {
       range = {-end, end};
     }
     return;
@@ -88,8 +89,10 @@ void rangeWidgets(view::Look& look, const WorldFacts& world) {
   const bool stiffness = look.colouring == view::Colouring::stiffness;
   const char* format = stiffness ? "%.2f N/mm" : "%.0f mm";
   const double most = stiffness ? 5.0 : 400.0;
-  numberWidget(range.low, {"show/low", "from", format, 0.0, most, stiffness ? 0.3 : 100.0, "The lower end's colour."});
-  numberWidget(range.high, {"show/high", "to", format, 0.0, most, stiffness ? 1.2 : 200.0, "The upper end's colour."});
+  numberWidget(range.low,
+               {"show/low", "from", format, 0.0, most, stiffness ? 0.3 : 100.0, "The value of the lowest colour."});
+  numberWidget(range.high,
+               {"show/high", "to", format, 0.0, most, stiffness ? 1.2 : 200.0, "The value of the highest colour."});
   if (stiffness && buttonWidget("show/fit", "Fit to the body")) {
     range = {world.softest_n_per_mm, world.stiffest_n_per_mm};
   }
@@ -147,7 +150,7 @@ void viewRow(view::Look& look, const WorldFacts& world, UiOutput& output) {
   }
   bool names = look.shows(view::Overlay::names);
   if (!world.landmarks.empty()) {
-    if (flagWidget("quick/names", "names", names, "What the places of the body are called (key I).")) {
+    if (flagWidget("quick/names", "names", names, "Names of the body's places (key I).")) {
       look.show(view::Overlay::names, names);
     }
   }
@@ -164,7 +167,7 @@ void showPanel(const ShowPanel& panel) {
   lookWidgets(panel);
   ImGui::Separator();
   auto colouring = static_cast<std::size_t>(panel.look.colouring);
-  if (choiceWidget("show/colour", "colour by", colouring, view::kColouringNames, "What the skin's colour says.")) {
+  if (choiceWidget("show/colour", "colour by", colouring, view::kColouringNames, "What the skin's colour shows.")) {
     panel.look.colouring = static_cast<view::Colouring>(colouring);
   }
   rangeWidgets(panel.look, panel.world);
@@ -177,8 +180,8 @@ void showPanel(const ShowPanel& panel) {
   if (engine) {
     for (const view::Overlay overlay : view::kEngineOverlays) overlayWidget(panel.look, overlay);
     flagWidget("show/adapts", "adapt the picture's resolution", panel.adapts_resolution,
-               "While a finger touches or the view turns, the body is drawn with fewer pixels where 20 pictures a "
-               "second need it, 50 % along each side at least. At rest, and in saved pictures, it has all.");
+               "While a finger touches or the view turns, the body is drawn with fewer pixels if 20 pictures a second "
+               "need it, at least 50 % along each side. At rest, and in saved pictures, it has full resolution.");
     ImGui::TreePop();
   }
   if (panel.look.shows(view::Overlay::names) && panel.world.landmarks.empty()) remark("This body has no named places.");

@@ -16,7 +16,7 @@ namespace {
 const char* wordsFor(window::HeadTracker::State state) {
   using State = window::HeadTracker::State;
   if (state == State::tracking) return toTranslate("seen");
-  if (state == State::standing_still) return toTranslate("lost: the picture stands still");
+  if (state == State::standing_still) return toTranslate("lost: the picture is frozen");
   return state == State::gliding ? toTranslate("lost: back to the place below")
                                  : toTranslate("none is measured: the place below");
 }
@@ -37,16 +37,16 @@ void headWidgets(HeadSettings& head, const SeenHead& seen) {
              "The screen is a window onto a body of true size, seen from where the eyes are.");
   if (!head.on) return;
   numberWidget(head.screen_height_mm, {"stereo/screen", "screen height", "%.0f mm", kMinScreenMm, kMaxScreenMm, 300.0,
-                                       "Of the lit part of the screen."});
+                                       "Height of the lit part of the screen."});
   valueLine("eyes", fmt::format("{:.0f}, {:.0f}, {:.0f} mm", seen.eyes_mm.x(), seen.eyes_mm.y(), seen.eyes_mm.z()));
   remark(wordsFor(seen.state));
   ImGui::TextUnformatted(tr("eyes while none are measured"));
   placeWidgets(head.expected_mm, {"stereo/head_x", "stereo/head_y", "stereo/head_z"}, {0.0, 0.0, 600.0},
-               "Between the eyes, from the middle of the screen.");
+               "The point between the eyes, from the middle of the screen.");
   head.expected_mm.z() = std::max(head.expected_mm.z(), kNearestHeadMm);
-  ImGui::TextUnformatted(tr("the tracker stands at"));
+  ImGui::TextUnformatted(tr("the tracker is at"));
   placeWidgets(head.offset_mm, {"stereo/offset_x", "stereo/offset_y", "stereo/offset_z"}, Vec3::Zero(),
-               "Its origin, from the middle of the screen: added to all it measures.");
+               "Its origin, from the middle of the screen; added to all its measurements.");
 }
 
 }  // namespace
@@ -60,11 +60,11 @@ void stereoPanel(const StereoPanel& panel) {
   }
   numberWidget(stereo.eye_distance_mm,
                {"stereo/eyes", "eye distance", "%.1f mm", 0.0, 80.0, 63.0,
-                "Between your eyes: 63 mm on average, mostly 50 to 75. 0 shows both eyes the same."});
+                "Distance between your eyes: 63 mm on average, mostly 50 to 75. At 0 both eyes see the same."});
   numberWidget(stereo.convergence_mm,
                {"stereo/convergence", "screen plane at", "%.0f mm", 0.0, 5000.0, 0.0,
                 "From the eyes to the plane that appears in the screen; 0 is the place that the camera turns about."});
-  flagWidget("stereo/swap", "swap the eyes", stereo.swap_eyes, "When near looks far (Shift+K).");
+  flagWidget("stereo/swap", "swap the eyes", stereo.swap_eyes, "For when near looks far (Shift+K).");
   headWidgets(panel.head, panel.seen);
   if (!view::isStereo(stereo.mode)) return;
   const double aspect = 1.6;
@@ -74,7 +74,7 @@ void stereoPanel(const StereoPanel& panel) {
   const double worst = view::computeComfort(eyes, stereo.eye_distance_mm, box).worst();
   valueLine("squint", fmt::format("{:.2f} deg", worst));
   if (worst > view::kComfortableDeg)
-    remark("More than 1 degree tires the eyes: come less near, or set the eyes closer.");
+    remark("More than 1 degree tires the eyes: move back, or reduce the eye distance.");
 }
 
 }  // namespace palpate::viewer

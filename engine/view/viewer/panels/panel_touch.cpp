@@ -41,7 +41,7 @@ void pressWidgets(TouchSettings& touch) {
 void radiusWidget(scene::Scene& scene, std::size_t active, UiOutput& output) {
   double radius = fingerRadius(scene, active);
   if (!numberWidget(radius, {"touch/radius", "finger radius", "%.1f mm", 0.5, 30.0, 8.0,
-                             "Of the finger that is used now; 8 mm is a fingertip."})) {
+                             "Radius of the finger in use; 8 mm is a fingertip."})) {
     return;
   }
   while (scene.fingers.size() <= active) {

@@ -54,8 +54,8 @@ void endWidgets(view::Look& look, const scene::SkinScalar& scalar) {
   const double width = std::max(scalar.greatest - scalar.least, 1e-9);
   const double low = scalar.least - 0.5 * width;
   const double high = scalar.greatest + 0.5 * width;
-  numberWidget(range.low, {"show/low", "from", "%.4g", low, high, scalar.least, "The lower end's colour."});
-  numberWidget(range.high, {"show/high", "to", "%.4g", low, high, scalar.greatest, "The upper end's colour."});
+  numberWidget(range.low, {"show/low", "from", "%.4g", low, high, scalar.least, "The value of the lowest colour."});
+  numberWidget(range.high, {"show/high", "to", "%.4g", low, high, scalar.greatest, "The value of the highest colour."});
   if (buttonWidget("show/fit", "Fit to the body")) range = {scalar.least, scalar.greatest};
   range.high = std::max(range.high, range.low + 1e-3 * width);
 }
@@ -65,7 +65,7 @@ void endWidgets(view::Look& look, const scene::SkinScalar& scalar) {
 void scalarWidgets(view::Look& look, const WorldFacts& world) {
   const scene::SkinChannels* channels = world.channels.get();
   const scene::SkinScalar* shown = scene::scalarNamed(channels, look.scalar);
-  if (shown == nullptr) return remark("The body's file brings no numbers for its vertices; PLY files can.");
+  if (shown == nullptr) return remark("The body's file has no numbers for its vertices; PLY files can have them.");
   std::vector<std::string_view> names;
   for (const scene::SkinScalar& scalar : channels->scalars) names.push_back(scalar.name);
   auto chosen = static_cast<std::size_t>(shown - channels->scalars.data());
@@ -75,7 +75,7 @@ void scalarWidgets(view::Look& look, const WorldFacts& world) {
     look.scalar_range = {shown->least, std::max(shown->greatest, shown->least + 1e-9)};
   }
   auto map = static_cast<std::size_t>(look.scalar_map);
-  if (choiceWidget("show/scalar_map", "colours", map, kColourMaps, "From the lower to the upper end.")) {
+  if (choiceWidget("show/scalar_map", "colours", map, kColourMaps, "From the lowest to the highest value.")) {
     look.scalar_map = static_cast<ColourMap>(map);
   }
   endWidgets(look, *shown);
@@ -84,7 +84,7 @@ void scalarWidgets(view::Look& look, const WorldFacts& world) {
 
 void vertexPanel(const VertexPanel& panel) {
   panel.open = true;
-  flagWidget("vertex/mark", "cross on the skin", panel.marked, "Where the vertex is that was read.");
+  flagWidget("vertex/mark", "cross on the skin", panel.marked, "Mark the vertex that was read.");
   if (!panel.reading) return remark("Press on the skin: the nearest vertex is read here.");
   const VertexReading& reading = *panel.reading;
   if (!reading.where.empty()) ImGui::TextWrapped("%s", view::placeInLanguage(reading.where).c_str());

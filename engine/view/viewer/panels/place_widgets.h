@@ -87,9 +87,9 @@ void placeNumbers(const char* x_path, const char* y_path, const PlaceEdit<Item>&
                   const std::string& name) {
   const std::string words = trf("move {}", name);
   bool moved = slider(edit, item.x_mm,
-                      {x_path, "x", "%.1f mm", -400.0, 400.0, 0.0, "Of the centre; to the patient's right."}, words);
+                      {x_path, "x", "%.1f mm", -400.0, 400.0, 0.0, "The centre, towards the patient's right."}, words);
   moved |=
-      slider(edit, item.y_mm, {y_path, "y", "%.1f mm", -400.0, 400.0, 0.0, "Of the centre; towards the head."}, words);
+      slider(edit, item.y_mm, {y_path, "y", "%.1f mm", -400.0, 400.0, 0.0, "The centre, towards the head."}, words);
   if (moved) item.at.clear();
 }
 

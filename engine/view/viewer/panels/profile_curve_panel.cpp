@@ -136,7 +136,7 @@ std::vector<ProfileKnot> firstHandles(const ProfileSettings& shown) {
 void profileCurve(const ProfileSettings& of_scene, ProfileEdit& profile, UiOutput& output) {
   const ProfileSettings settings = shownProfile(of_scene, profile);
   const bool own = settings.kind == ProfileKind::user;
-  if (own && settings.knots.size() < 2) return remark("The curve is being read ...");
+  if (own && settings.knots.size() < 2) return remark("Reading the curve ...");
   const Sheet sheet{ImGui::GetCursorScreenPos(), {ImGui::GetContentRegionAvail().x, kHeight}};
   ImGui::InvisibleButton("profile", sheet.size);
   notePlace("tissue/curve");
@@ -148,8 +148,8 @@ void profileCurve(const ProfileSettings& of_scene, ProfileEdit& profile, UiOutpu
   if (own) {
     if (editHandles(profile, sheet)) output.request(UseProfile{});
     drawHandles(profile.knots, sheet);
-    remark("Drag the handles; double click adds one, right click takes one away.");
-  } else if (buttonWidget("tissue/own", "Draw my own curve", "Starts with this one and gives it handles.")) {
+    remark("Drag the handles; double click adds one, right click removes one.");
+  } else if (buttonWidget("tissue/own", "Draw my own curve", "Start from this curve, with handles.")) {
     profile.knots = firstHandles(settings);
     output.request(UseProfile{});
   }

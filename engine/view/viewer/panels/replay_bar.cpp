@@ -26,24 +26,24 @@ std::string wordsFor(const Replay& replay) {
 }
 
 void stepButtons(Replay& replay, UiOutput& output) {
-  if (buttonWidget("replay/back", "<<", "A picture back (1/60 s): Left.")) stepReplay(replay, -kReplayStepS);
+  if (buttonWidget("replay/back", "<<", "Go back one picture (1/60 s): Left.")) stepReplay(replay, -kReplayStepS);
   ImGui::SameLine();
-  if (buttonWidget("replay/tick_back", "<", "A tick of the servo back: Shift and Left.")) {
+  if (buttonWidget("replay/tick_back", "<", "Go back one servo tick: Shift and Left.")) {
     stepReplay(replay, -replay.tick_s);
   }
   ImGui::SameLine();
-  if (buttonWidget("replay/play", replay.playing ? "stop" : "play", "As fast as it was.")) {
+  if (buttonWidget("replay/play", replay.playing ? "stop" : "play", "Play at the original speed.")) {
     replay.playing = !replay.playing;
     if (replay.playing && replay.at_s >= replay.to_s) replay.at_s = replay.from_s;
   }
   ImGui::SameLine();
-  if (buttonWidget("replay/tick", ">", "A tick of the servo forth: Shift and Right.")) {
+  if (buttonWidget("replay/tick", ">", "Go forward one servo tick: Shift and Right.")) {
     stepReplay(replay, replay.tick_s);
   }
   ImGui::SameLine();
-  if (buttonWidget("replay/forth", ">>", "A picture forth (1/60 s): Right.")) stepReplay(replay, kReplayStepS);
+  if (buttonWidget("replay/forth", ">>", "Go forward one picture (1/60 s): Right.")) stepReplay(replay, kReplayStepS);
   ImGui::SameLine();
-  if (buttonWidget("replay/live", "live", "Back to what is touched now: Space.")) output.act(window::Action::freeze);
+  if (buttonWidget("replay/live", "live", "Return to live touch: Space.")) output.act(window::Action::freeze);
 }
 
 /// Draws the marks over the slider that was drawn last.
@@ -62,21 +62,20 @@ void drawMarks(const Replay& replay) {
 
 /// For a recording: marks, repetition, another one next to it.
 void sessionButtons(Replay& replay, UiOutput& output) {
-  flagWidget("replay/loop", "loop", replay.loops, "Begins again at the end.");
+  flagWidget("replay/loop", "loop", replay.loops, "Start again at the end.");
   ImGui::SameLine();
   if (!replay.marks.empty()) {
-    if (buttonWidget("replay/mark_back", "mark <", "To the mark before.")) goToMark(replay, false);
+    if (buttonWidget("replay/mark_back", "mark <", "Go to the previous mark.")) goToMark(replay, false);
     ImGui::SameLine();
-    if (buttonWidget("replay/mark_forth", "mark >", "To the next mark.")) goToMark(replay, true);
+    if (buttonWidget("replay/mark_forth", "mark >", "Go to the next mark.")) goToMark(replay, true);
     ImGui::SameLine();
   }
   if (replay.beside.empty()) {
-    if (buttonWidget("replay/beside", "beside ...",
-                     "Shows another recording beside this one, from its beginning on.")) {
+    if (buttonWidget("replay/beside", "beside ...", "Show another recording next to this one, from its beginning.")) {
       replay.chooses_beside = true;
       output.act(window::Action::open);
     }
-  } else if (buttonWidget("replay/alone", "alone", "Without the other recording.")) {
+  } else if (buttonWidget("replay/alone", "alone", "Remove the other recording.")) {
     replay.beside.clear();
   }
   const std::string mark = markAt(replay);

@@ -230,10 +230,10 @@ void windowChoice(Plots& plots) {
 void buttons(const PlotStrips& panel, UiOutput& output) {
   windowChoice(panel.plots);
   if (buttonWidget("plots/pause", panel.plots.paused ? "live" : "pause",
-                   "A click into a plot does the same; dragging there scrolls back, the wheel zooms.")) {
+                   "Clicking a plot does the same; drag to scroll back, the wheel zooms.")) {
     pausePlots(panel.plots, !panel.plots.paused);
   }
-  if (buttonWidget("plots/csv", "CSV", "Save what the plots show as a table.")) output.request(SavePlots{});
+  if (buttonWidget("plots/csv", "CSV", "Save the data of the plots as a table.")) output.request(SavePlots{});
 }
 
 constexpr float kGap = 14.0f;  ///< between strips

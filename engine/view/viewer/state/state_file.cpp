@@ -163,7 +163,7 @@ std::string stateAsToml(const Remembered& remembered) {
 Remembered parseState(std::string_view text, std::string_view name) {
   const scene::TomlNode table = scene::parseToml(text, name);
   const StateReader reader{table};
-  if (reader.whole("version", 0) != kStateVersion) throw Error::inFile(name, "is of another version");
+  if (reader.whole("version", 0) != kStateVersion) throw Error::inFile(name, "was written by another version");
   Remembered remembered;
   forEachValue(remembered, reader);
   if (const scene::TomlNode* recent = table.get("recent"); recent != nullptr && recent->list() != nullptr) {

@@ -61,7 +61,7 @@ std::string adoptChannels(const scene::World& world, view::Look& look) {
     const std::string numbers = trf("numbers ({})", scene::scalarNames(channels));
     brings = brings.empty() ? numbers : fmt::format("{} {} {}", brings, tr("and"), numbers);
   }
-  return brings.empty() ? brings : trf("The file brings {} for its vertices: see Show", brings);
+  return brings.empty() ? brings : trf("The file has {} for its vertices: see Show", brings);
 }
 
 }  // namespace palpate::viewer

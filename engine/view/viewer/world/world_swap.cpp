@@ -31,8 +31,9 @@ void decodePicture(const scene::World& world) {
 
 void reportRateMismatch(ViewerState& viewer) {
   if (std::abs(viewer.scene.ticks_per_s - viewer.ticks_per_s) < 0.5) return;
-  viewer.report(Severity::info, trf("Felt at {:.0f} ticks a second, as this window began; the scene says {:.0f}",
-                                    viewer.ticks_per_s, viewer.scene.ticks_per_s));
+  viewer.report(Severity::info,
+                trf("Touch runs at {:.0f} ticks per second since this window opened; the scene asks for {:.0f}",
+                    viewer.ticks_per_s, viewer.scene.ticks_per_s));
 }
 
 /// Gives panel, plots and banner the servo's limits.

@@ -88,7 +88,7 @@ OffscreenContext::OffscreenContext(Profile profile) : handles_(std::make_unique<
     handles_->context = createContext(handles_->device, profile);
   }
   if (handles_->context == nullptr || wglMakeCurrent(handles_->device, handles_->context) == FALSE) {
-    throw Error("cannot draw: this Windows offers no OpenGL (a driver of the graphics card brings it)");
+    throw Error("cannot draw: Windows offers no OpenGL here; install the graphics card's driver");
   }
 }
 
