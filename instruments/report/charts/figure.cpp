@@ -127,7 +127,8 @@ namespace palpate::app {
 
 void checkPictureName(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
-  if (extension != ".png" && extension != ".svg") throw Error::inFile(file.string(), "a plot is written as .png, .svg");
+  if (extension != ".png" && extension != ".svg")
+    throw Error::inFile(file.string(), "a plot's name must end in .png or .svg");
 }
 
 void writePicture(const figures::Figure& figure, const std::filesystem::path& file, double png_scale) {

@@ -103,7 +103,7 @@ std::shared_ptr<const scene::World> loadWorld(const std::string& file) {
 void run(const MapArguments& arguments, const Maker& make) {
   for (const std::string& file : arguments.files) requireMapFile(file);
   if (!arguments.range.empty() && !(arguments.range[0] < arguments.range[1])) {
-    throw Error("map: --range needs two rising numbers");
+    throw Error("map: --range must be LOW,HIGH with LOW below HIGH");
   }
   const MapSource source = makeMapSource(arguments);
   const auto world = arguments.scene.empty() ? nullptr : loadWorld(arguments.scene);
@@ -120,14 +120,14 @@ void addFileOptions(Command& command, MapArguments& a) {
       ->required()
       ->allow_extra_args(false);
   addNumber(command, "--range", a.range, between(-1e9, 1e9),
-            "Values of the two ends of the colours, LOW,HIGH (default: those of the data)")
+            "Range of the colours, LOW,HIGH (default: the range of the data)")
       ->delimiter(',')
       ->expected(2)
       ->allow_extra_args(false);
   addSetting(command, "--grid-mm", a.output.grid_mm, between(0.0, 1e6, "mm"),
-             "CSV: a row every so many mm of the map plane; 0: a row a vertex");
+             "CSV: distance between rows in the map plane; 0: one row per vertex");
   addSetting(command, "--png-scale", a.output.png_scale, between(0.2, 8.0),
-             "PNG: pixels a CSS pixel; 2 suits screens and paper");
+             "PNG: pixels per CSS pixel; 2 suits screens and paper");
   command.add_flag("--json", a.json, "Print the summary as one JSON object, with fit errors at the key points");
 }
 
@@ -135,9 +135,9 @@ void addSkinOptions(Command& command, MapArguments& a) {
   addMeshArguments(command, a.mesh);
   command.get_option("mesh")->required(false);
   restrictTo({"torso", "back"},
-             command.add_option("--body", a.body, "Without a mesh: the built-in skin")->capture_default_str());
+             command.add_option("--body", a.body, "Built-in skin, used without a mesh")->capture_default_str());
   addSetting(command, "--triangles", a.triangles, between(0, 2e7),
-             "Of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)");
+             "Triangles of the built-in skin; 0: 20389 (torso, with bones), 15815 (back)");
 }
 
 void addKeyOption(Command& command, MapArguments& a) {
@@ -149,8 +149,8 @@ void addKeyOption(Command& command, MapArguments& a) {
 void addSceneOption(Command& command, MapArguments& a, std::vector<std::string> beside) {
   beside.insert(beside.end(), {"--help", "--out", "--range", "--grid-mm", "--png-scale", "--json"});
   const std::vector<Option*> others = command.get_options();
-  Option* scene =
-      command.add_option("--scene", a.scene, "The map of this scene (TOML): its body, key points and dysfunctions");
+  Option* scene = command.add_option("--scene", a.scene,
+                                     "Write the map of this scene (TOML): its body, key points and dysfunctions");
   for (Option* other : others) {
     if (std::find(beside.begin(), beside.end(), other->get_name()) == beside.end()) scene->excludes(other);
   }
@@ -161,9 +161,9 @@ void addBoundaryOptions(Command& command, MapArguments& a) {
   addChoice(command, "--averaging", a.source.measured.averaging,
             "Built-in key points: means as printed, or of the ellipses");
   addSetting(command, "--effect-radius-mm", a.source.ellipses.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
-             "How far a key point reaches");
+             "Reach of a key point");
   addSetting(command, "--basic-radius-mm", a.source.ellipses.basic_radius_mm, above(0.0, kFarthestMm, "mm"),
-             "Circle where none reaches");
+             "Radius of the circle where no key point reaches");
 }
 
 void addEllipses(Command& parent) {
@@ -178,14 +178,13 @@ void addEllipses(Command& parent) {
   addKeyOption(command, a);
   addBoundaryOptions(command, a);
   restrictTo({"half-major", "aspect", "direction"},
-             command.add_option("--quantity", a.source.quantity, "What is coloured")->capture_default_str());
+             command.add_option("--quantity", a.source.quantity, "Quantity to colour by")->capture_default_str());
   restrictTo(choiceNames<Weights>(),
              command.add_option("--interpolation", a.interpolation,
                                 "gri, or a form of the dissertation: (5.16) with E26, (5.16) as printed, (5.7); left "
                                 "out: as --fidelity says"));
-  restrictTo(
-      choiceNames<maps::DirectionBlend>(),
-      command.add_option("--directions", a.directions, "How directions are blended (default: as --fidelity says)"));
+  restrictTo(choiceNames<maps::DirectionBlend>(),
+             command.add_option("--directions", a.directions, "Blending of directions (default: as --fidelity says)"));
   command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
       ->capture_default_str();
   addSceneOption(command, a, {"--quantity"});
@@ -204,7 +203,7 @@ void addContours(Command& parent) {
   addKeyOption(command, arguments);
   addBoundaryOptions(command, arguments);
   addSetting(command, "--radii", arguments.source.contour_radii,
-             between(maps::kMinContourRadii, maps::kMaxContourRadii), "Built-in ellipses: radii a contour");
+             between(maps::kMinContourRadii, maps::kMaxContourRadii), "Built-in ellipses: radii per contour");
   addSceneOption(command, arguments, {});
 }
 
@@ -222,9 +221,10 @@ void addStiffness(Command& parent) {
   addKeyOption(command, arguments);
   restrictTo(choiceNames<maps::StiffnessInterpolation>(),
              command.add_option("--interpolation", arguments.interpolation,
-                                "Between key points: gri (default), thin-plate or polynomial. Without --keys: the "
-                                "torso measured at the seven places"));
-  addSetting(command, "--degree", s.polynomial_degree, between(0, maps::kMaxPolynomialDegree), "Of the polynomial");
+                                "Interpolation between key points: gri (default), thin-plate or polynomial. Without "
+                                "--keys: the torso measured at the seven places"));
+  addSetting(command, "--degree", s.polynomial_degree, between(0, maps::kMaxPolynomialDegree),
+             "Degree of the polynomial");
   addSetting(command, "--effect-radius-mm", s.effect_radius_mm, above(0.0, kFarthestMm, "mm"),
              "gri: how far a key point reaches");
   addSetting(command, "--basic-n-per-mm", s.basic_n_per_mm, above(0.0, 100.0, "N/mm"),
@@ -241,7 +241,7 @@ void addDepth(Command& parent) {
                                [kMaker](const MapArguments& given) { run(given, kMaker); });
   addFileOptions(command, arguments);
   addSetting(command, "--triangles", arguments.triangles, between(0, 2e7),
-             "Of the built-in torso; 0: 20389, with bones");
+             "Triangles of the built-in torso; 0: 20389, with bones");
   addSceneOption(command, arguments, {});
 }
 

@@ -200,7 +200,7 @@ std::pair<double, double> shownRange(const SkinMap& map) {
 
 void requireMapFile(const std::filesystem::path& file) {
   if (std::find(kExtensions.begin(), kExtensions.end(), file.extension().string()) != kExtensions.end()) return;
-  throw Error::inFile(file.string(), fmt::format("a map is written as {}", fmt::join(kExtensions, ", ")));
+  throw Error::inFile(file.string(), fmt::format("a map's name must end in one of {}", fmt::join(kExtensions, ", ")));
 }
 
 void writeMap(const std::filesystem::path& file, const MapSkin& skin, const SkinMap& map, const MapOutput& output) {

@@ -101,7 +101,7 @@ SkinMap ellipsesOfScene(const MapSkin& skin, const scene::World& world, const st
 
 SkinMap contoursOfScene(const MapSkin& skin, const scene::World& world) {
   if (world.deformation.shape != deform::Shape::contour) {
-    throw Error("map contours: the scene's drags have ellipses; [deformation] shape = \"contour\"");
+    throw Error("map contours: the scene's drags have ellipses; set [deformation] shape = \"contour\"");
   }
   constexpr int kDirections = 12;
   SkinMap map;

@@ -78,7 +78,7 @@ MapSkin skinOfFile(const MeshArguments& arguments) {
   mesh::MeshWithChannels loaded = mesh::loadWithChannels(arguments.file, arguments.options);
   skin.mesh = std::move(loaded.mesh);
   skin.notes = std::move(loaded.notes);
-  if (skin.mesh.triangles.empty()) throw Error::inFile(arguments.file, "no triangle to draw a map over");
+  if (skin.mesh.triangles.empty()) throw Error::inFile(arguments.file, "has no triangles to draw a map over");
   skin.normals = mesh::vertexNormals(skin.mesh);
   return skin;
 }
@@ -86,7 +86,8 @@ MapSkin skinOfFile(const MeshArguments& arguments) {
 SkinGrid gridOver(const mesh::TriangleMesh& mesh, double step_mm) {
   const Eigen::AlignedBox3d box = mesh::boundingBox(mesh);
   const Vec2 nodes = box.sizes().head<2>() / step_mm + Vec2::Ones();
-  if (!(step_mm > 0.0) || !(nodes.prod() <= kMaxNodes)) throw Error("map: the grid's step is too small");
+  if (!(step_mm > 0.0) || !(nodes.prod() <= kMaxNodes))
+    throw Error("map: the grid's step is too small; choose a larger --grid-mm");
   SkinGrid grid{box.min().head<2>(), step_mm, static_cast<int>(nodes.x()), static_cast<int>(nodes.y()), {}};
   grid.spots.resize(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows));
   std::vector<double> height(grid.spots.size(), -std::numeric_limits<double>::infinity());

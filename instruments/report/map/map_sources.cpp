@@ -149,7 +149,8 @@ maps::FitError radiusErrorAtKeys(const std::vector<maps::ContourPoint>& points, 
 
 void requireStiffness(const std::vector<maps::KeyPoint>& keys, const std::string& file) {
   const auto has = [](const maps::KeyPoint& key) { return key.stiffness_n_per_mm.has_value(); };
-  if (!std::any_of(keys.begin(), keys.end(), has)) throw Error::inFile(file, "no key point has a stiffness_n_per_mm");
+  if (!std::any_of(keys.begin(), keys.end(), has))
+    throw Error::inFile(file, "no key point has a stiffness_n_per_mm; at least one is needed");
 }
 
 /// The seven places of the dissertation, each with the stiffness that the skin nearest to it (seen along z) has.

@@ -74,7 +74,7 @@ std::vector<RunStrip> readStrips(const PlotArguments& arguments) {
   strips = chosen(arguments, std::move(strips), known);
   if (!strips.empty()) return strips;
   throw Error::inFile(arguments.table.string(),
-                      fmt::format("no row lies between --from and --to: it reaches from {} to {} s", first_s, last_s));
+                      fmt::format("has no rows between --from and --to; it covers {} to {} s", first_s, last_s));
 }
 
 ForcesPlot makeForcesPlot(const PlotArguments& arguments) {
@@ -111,7 +111,7 @@ std::vector<std::string> columnNames() {
 
 void addPlotCommand(Command& recording) {
   const auto [command, a] =
-      addCommand(recording, "plot", "Draw a table of forces over time: force, depth, lag, states", runPlot);
+      addCommand(recording, "plot", "Plot a table of forces over time: force, depth, lag, states", runPlot);
   command.add_option("TABLE", a.table, "forces.csv of `palpate simulate` or of the window")->required();
   namesFileToWrite(command.add_option("-o,--out", a.output, "Picture to write: .png or .svg"))->capture_default_str();
   addNumber(command, "--from", a.from_s, between(-1e9, 1e9, "s"), "Begin at this time (default: with the first row)");
@@ -127,8 +127,8 @@ void addPlotCommand(Command& recording) {
           ->delimiter(',')
           ->allow_extra_args(false)
           ->capture_default_str());
-  command.add_option("--title", a.title, "Above it (default: the table's name)");
-  addSetting(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel");
+  command.add_option("--title", a.title, "Title above the plot (default: the table's name)");
+  addSetting(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels per CSS pixel");
 }
 
 }  // namespace palpate::app

@@ -86,7 +86,7 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
       return;
     }
     body.notes.emplace_back(
-        "Body or stiffness are not the recorded ones to the bit, but every place that was touched lies on this skin.");
+        "Body or stiffness are not bit-identical to the recorded ones, but every touched place is on this skin.");
   }
   body.tissue = scene::describe(world->tissue);
   std::string note = scene::tissueNote(world->scene, world->tissue, *world->surface.stiffness_n_per_mm);
@@ -116,7 +116,7 @@ ReportBody reportBody(trace::RecordingReader& recording, const ReportSettings& s
     std::uint64_t elsewhere = 0;
     for (const auto& [key, felt] : bodies) elsewhere += key == longest->first ? 0 : felt.ticks;
     if (elsewhere > 0) {
-      body.notes.push_back(fmt::format("The body changed: the map shows {}; {:.1f} s of touch were on others.",
+      body.notes.push_back(fmt::format("The body changed: the map shows {}; {:.1f} s of touch were on other bodies.",
                                        body.name, statistics.seconds(elsewhere)));
     }
     const engine::CarriedFiles carried(recording);

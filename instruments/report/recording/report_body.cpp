@@ -184,13 +184,12 @@ std::vector<ReportPicture> surfacePictures(const RecordingReport& report, const 
   const std::array<HeatValues, 2> heats = makeHeatValues(report, surface);
   const bool head_up = sight.up.y() > 0.5;
   std::vector<ReportPicture> pictures;
-  pictures.push_back(
-      {"body", tr("On the body"),
-       trf("How long and how hard the skin was touched, {}, seen {}{}. A place counts as touched where the "
-           "finger's radius reaches it; times of several fingers are added. The last colour of each map also "
-           "stands for all that is more.",
-           report.body.name, tr(sight.words), head_up ? tr(", the head upwards") : ""),
-       heatFigure(heats, surface, sight, all)});
+  pictures.push_back({"body", tr("On the body"),
+                      trf("How long and how hard the skin was touched, {}, seen {}{}. A place counts as touched where "
+                          "the finger's radius reaches it; times of several fingers are added. The last colour of each "
+                          "map also covers all higher values.",
+                          report.body.name, tr(sight.words), head_up ? tr(", the head upwards") : ""),
+                      heatFigure(heats, surface, sight, all)});
   const Vec2 body = projectedBox(surface, all, false).sizes();
   if ((near.box.sizes().array() < kLargeShare * body.array()).all()) {
     pictures.push_back({"body_near", "", tr("The same from nearby."), heatFigure(heats, surface, sight, near)});

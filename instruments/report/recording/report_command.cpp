@@ -40,7 +40,7 @@ void runReport(const ReportArguments& arguments) {
   useLanguage(arguments.language);
   const ReportRequest& request = arguments.request;
   if (request.file.extension() == ".results") {
-    throw Error::inFile(request.file.string(), "is a record of training: palpate train results report");
+    throw Error::inFile(request.file.string(), "is a training record; use palpate train results report");
   }
   ProgressLine progress;
   trace::RecordingReader recording(request.file);
@@ -62,15 +62,14 @@ void runReport(const ReportArguments& arguments) {
 void addReportCommand(Command& recording) {
   const auto [command, a] =
       addCommand(recording, "report",
-                 "Tell what a recording was (forces, contacts, phases, maps of the body) as one HTML page", runReport);
+                 "Report on a recording (forces, contacts, phases, maps of the body) as one HTML page", runReport);
   command.add_option("FILE", a.request.file, "Recording file")->required();
   namesFileToWrite(command.add_option("-o,--out", a.request.out,
                                       "Page to write (default: the file's name with .html, in this folder)"));
   addTimeSpan(command, a.span);
   command.add_option("--folder", a.folder,
                      "Folder of the files that the scene names (default: the recording itself, else where they were)");
-  command.add_flag("--json", a.request.json,
-                   "Print all numbers as one JSON object; a page is written then only with --out");
+  command.add_flag("--json", a.request.json, "Print all numbers as one JSON object; write a page only with --out");
   addLanguage(command, a.language);
 }
 

@@ -39,10 +39,10 @@ std::filesystem::path resolvePagePath(const ReportRequest& request, const std::f
   std::error_code error;
   const std::filesystem::path page = request.out.empty() ? standard_page : request.out;
   if (std::filesystem::equivalent(page, request.file, error)) {
-    throw Error::inFile(page.string(), "is the file itself that is reported on");
+    throw Error::inFile(page.string(), "is the file to report on; name another page with --out");
   }
   if (request.out.empty() && isForeignFile(page)) {
-    throw Error::inFile(page.string(), "is there already and is not a report; name the page with --out");
+    throw Error::inFile(page.string(), "exists already and is not a report; name another page with --out");
   }
   return page;
 }

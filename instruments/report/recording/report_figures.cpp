@@ -189,9 +189,8 @@ ReportPicture coursePicture(const RecordingReport& report) {
       tr("Force of the contact, depth of the tip under the skin and speed of the finger over time; below, what each "
          "finger did.");
   if (ticks > 1) {
-    caption +=
-        " " + trf("Lines are means over {:.3g} s, the pale bands reach from the least to the greatest tick in them.",
-                  report.statistics.seconds(ticks));
+    caption += " " + trf("Lines are means over {:.3g} s; the pale bands span the smallest to the largest tick in them.",
+                         report.statistics.seconds(ticks));
   }
   return {"course", tr("Over time"), caption, std::move(figure)};
 }

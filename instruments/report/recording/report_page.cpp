@@ -90,9 +90,9 @@ std::string picturesHtml(const std::vector<ReportPicture>& pictures, const Progr
 std::string bodySection(const RecordingReport& report, const Progress& progress) {
   std::string html = picturesHtml(bodyPictures(report), progress);
   if (!report.body.why_not.empty()) {
-    html += htmlElement("p", report.body.why_not + " " +
-                                 tr("So the map above is one of places only; --folder says where the files of the body "
-                                    "lie now.")) +
+    html += htmlElement(
+                "p", report.body.why_not + " " +
+                         tr("So the map above shows places only; name the folder of the body's files with --folder.")) +
             "\n";
   }
   for (const std::string& note : report.body.notes) html += htmlElement("p", note) + "\n";
@@ -107,7 +107,7 @@ std::string bodySection(const RecordingReport& report, const Progress& progress)
   if (surface.astray_ticks > 0 || report.statistics.places_left_out > 0) {
     html +=
         htmlElement("p",
-                    trf("{} s of touch lie on no place of this skin and are left out.",
+                    trf("{} s of touch are not on this skin and are left out.",
                         rounded(report.statistics.seconds(surface.astray_ticks + report.statistics.places_left_out)))) +
         "\n";
   }
@@ -127,18 +127,17 @@ std::string definitionsSection(const RecordingReport& report) {
       {tr("Force, depth"),
        tr("The size of the force that the contact computed for the finger (the device may have been sent less: see "
           "Safety), and how deep the tip was under the skin at rest.")},
-      {tr("Speed"),
-       trf("The way of the last {} ms over that time: of the finger's place on the skin, and of the tip that the "
-           "device held.",
-           1000.0 * trace::kSpeedWindowS)},
+      {tr("Speed"), trf("The distance moved in the last {} ms, divided by that time: by the finger's place on the "
+                        "skin, and by the tip that the device held.",
+                        1000.0 * trace::kSpeedWindowS)},
       {tr("Contact"),
        trf("A stretch of time in which the finger touches the skin; breaks up to {} ms do not end it. Means are "
            "over the ticks that touch. Its path is measured in steps of {} mm, so that trembling goes nowhere.",
            1000.0 * trace::kJoinedGapS, trace::kPathStepMm)},
       {tr("Search and palpation"),
-       trf("On the skin, a finger that presses with {} N or more and moves at {} mm/s or less palpates; one that "
-           "is lighter or faster searches. A phase begins where this has held for {} s. These limits are this "
-           "program's own; no norm has any.",
+       trf("On the skin, a finger that presses with {} N or more and moves at {} mm/s or less palpates; one that is "
+           "lighter or faster searches. A phase begins where this has held for {} s. These limits are this program's "
+           "own; no standard defines any.",
            trace::kLightForceN, trace::kDwellSpeedMmPerS, trace::kMinPhaseS)},
       {tr("Touched skin"),
        trf("All skin within the radius of the finger around the places where it was (at least {} mm), facing the "
@@ -148,10 +147,9 @@ std::string definitionsSection(const RecordingReport& report) {
       {tr("Places"),
        tr("Millimetres in the body's frame: x to the patient's right seen from behind, y to the head, z out of the "
           "back.")},
-      {tr("Limits"),
-       tr("All of it is what the program computed and what the device reported. It measures no skill and diagnoses "
-          "nothing; Palpate is not a medical device.")}};
-  std::string html = htmlElement("h2", tr("What the words mean")) + "\n<dl>\n";
+      {tr("Limits"), tr("All values are what the program computed and the device reported. They do not measure skill "
+                        "or diagnose anything; Palpate is not a medical device.")}};
+  std::string html = htmlElement("h2", tr("What the terms mean")) + "\n<dl>\n";
   for (const auto& [word, meaning] : definitions) html += htmlElement("dt", word) + htmlElement("dd", meaning) + "\n";
   return html + "</dl>\n";
 }

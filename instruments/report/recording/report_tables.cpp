@@ -49,7 +49,7 @@ std::string phaseTimes(const RecordingReport& report) {
                       percent(static_cast<double>(finger.phase_ticks[i]) / static_cast<double>(all))});
     }
   }
-  return rows.empty() ? "" : tableOf("numbers", {"", tr("times"), tr("in all (s)"), tr("share of its time")}, rows);
+  return rows.empty() ? "" : tableOf("numbers", {"", tr("times"), tr("total (s)"), tr("share of its time")}, rows);
 }
 
 /// The longest ones, in the order of time.
@@ -83,8 +83,8 @@ std::string bitsTable(const RecordingReport& report, const std::vector<StatusLin
                     formatFixed(report.statistics.seconds(line.tally.ticks), 3),
                     formatFixed(report.secondsAt(line.tally.first_tick), 3)});
   }
-  return tableOf(
-      "words", {tr("finger"), tr("what"), tr("which means"), tr("times"), tr("in all (s)"), tr("first at (s)")}, rows);
+  return tableOf("words",
+                 {tr("finger"), tr("what"), tr("which means"), tr("times"), tr("total (s)"), tr("first at (s)")}, rows);
 }
 
 }  // namespace
@@ -155,10 +155,9 @@ std::string safetySection(const RecordingReport& report) {
   html += htmlElement("p", trf("Emergency stops: {}.", emergencyStops(report))) + "\n";
   const std::vector<StatusLine> safety = safetyLines(report);
   html += safety.empty() ? htmlElement("p", tr("The safety limits never had to act.")) + "\n"
-                         : htmlElement("p", tr("What the safety limits did:")) + "\n" + bitsTable(report, safety);
+                         : htmlElement("p", tr("Actions of the safety limits:")) + "\n" + bitsTable(report, safety);
   const std::vector<StatusLine> contact = contactLines(report);
-  if (!contact.empty())
-    html += htmlElement("p", tr("What the contact told of itself:")) + "\n" + bitsTable(report, contact);
+  if (!contact.empty()) html += htmlElement("p", tr("What the contact reported:")) + "\n" + bitsTable(report, contact);
   return html;
 }
 
@@ -176,7 +175,7 @@ std::string servoSection(const RecordingReport& report) {
                     trf("{} ms, at {:.3f} s", rounded(1000.0 * report.statistics.seconds(ticks.longest_gap.missing), 3),
                         report.secondsAt(ticks.longest_gap.after_tick))});
   }
-  rows.push_back({tr("samples that found no room on their way to the file, in the whole recording"),
+  rows.push_back({tr("samples dropped on their way to the file, in the whole recording"),
                   counted(static_cast<double>(report.facts.dropped))});
   if (ticks.out_of_order > 0) {
     rows.push_back({tr("ticks out of order, left out here"), counted(static_cast<double>(ticks.out_of_order))});

@@ -23,9 +23,9 @@ using trace::Measured;
 
 /// By the number of the bit.
 constexpr std::array<const char*, servo::kSafetyBits> kSafetyMeanings = {
-    toTranslate("the device gave no number: no force"),
+    toTranslate("the device sent no valid number: no force"),
     toTranslate("the tip moved farther than a hand can: no force"),
-    toTranslate("the computed force was no number: no force"),
+    toTranslate("the computed force was not a number: no force"),
     toTranslate("a force that grows slowly after a start inside"),
     toTranslate("the passivity controller took force away"),
     toTranslate("shortened to the largest force"),
@@ -39,9 +39,9 @@ constexpr std::array<const char*, servo::kSafetyBits> kSafetyMeanings = {
     toTranslate("the device is moved apart from its finger: no force")};
 
 constexpr std::array<const char*, 8> kContactMeanings = {
-    toTranslate("the tip was no place: no force"),
+    toTranslate("the tip had no valid position: no force"),
     toTranslate("the skin's side of the finger was on its way, or the force grew as fast as it may"),
-    toTranslate("deeper than is felt: the force no longer grew"),
+    toTranslate("deeper than the contact feels: the force no longer grew"),
     toTranslate("the contact had ended and its force faded"),
     toTranslate("the force faded because the sheet ends"),
     toTranslate("a finger that began inside was pushed out"),
@@ -170,9 +170,9 @@ std::string servoSentence(const RecordingReport& report) {
                report.secondsAt(ticks.longest_gap.after_tick));
   }
   if (report.facts.dropped > 0) {
-    text += " " + trnf("{} sample found no room on its way to the file.",
-                       "{} samples found no room on their way to the file.", report.facts.dropped,
-                       counted(static_cast<double>(report.facts.dropped)));
+    text +=
+        " " + trnf("{} sample was dropped on its way to the file.", "{} samples were dropped on their way to the file.",
+                   report.facts.dropped, counted(static_cast<double>(report.facts.dropped)));
   }
   return text;
 }

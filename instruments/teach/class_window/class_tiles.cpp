@@ -139,7 +139,7 @@ void forceLine(const Tile& tile) {
 void tileInside(const Tile& tile, bool compact) {
   nameAndAge(tile);
   if (!tile.state) {
-    ImGui::TextDisabled("%s", tile.online ? tr("nobody signed in") : "");
+    ImGui::TextDisabled("%s", tile.online ? tr("not signed in") : "");
     return;
   }
   const bool needs = tile.need != Need::none;
@@ -278,7 +278,7 @@ std::optional<classroom::Command> commandRow(const Tile& tile, ClassView& view) 
     view.message.fill('\0');
   }
   const bool paused = tile.state && tile.state->paused;
-  if (ImGui::Button(paused ? tr("Go on") : tr("Pause"))) {
+  if (ImGui::Button(paused ? tr("Continue") : tr("Pause"))) {
     asked = {paused ? classroom::CommandKind::go_on : classroom::CommandKind::pause, {}};
   }
   ImGui::SameLine();

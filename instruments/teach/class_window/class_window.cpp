@@ -89,7 +89,7 @@ std::string commandOutcome(const classroom::Command& command, bool sent) {
     case classroom::CommandKind::pause:
       return tr("asked to pause");
     case classroom::CommandKind::go_on:
-      return tr("asked to go on");
+      return tr("asked to continue");
     case classroom::CommandKind::message:
       return tr("sent");
     case classroom::CommandKind::next_block:
@@ -131,7 +131,7 @@ void classFrame(classroom::ClassWatch& watch, const BackPicture& back, const Vec
         view.opened = *clicked == view.opened ? std::string() : *clicked;
         view.told.clear();
       }
-      if (tiles.empty()) ImGui::TextDisabled("%s", tr("No station has been heard of yet."));
+      if (tiles.empty()) ImGui::TextDisabled("%s", tr("No station has connected yet."));
     }
     ImGui::EndChild();
     ImGui::SameLine();

@@ -92,11 +92,11 @@ void runClassRenew(const RenewArguments& arguments) {
 
 void addClassRenewCommand(Command& parent) {
   const auto [command, arguments] =
-      addCommand(parent, "renew", "Make new certificates, and what an older class lacks", runClassRenew);
+      addCommand(parent, "renew", "Renew certificates, and add what an older class lacks", runClassRenew);
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
   command.add_option("NAME", arguments.names,
-                     "Which: broker, instructor, instructor-2, ingest, checker, s01 (default: all)");
-  addSetting(command, "--days", arguments.days, between(1, 3650, "days"), "Validity");
+                     "Members to renew: broker, instructor, instructor-2, ingest, checker, s01 (default: all)");
+  addSetting(command, "--days", arguments.days, between(1, 3650, "days"), "Validity of the new certificates");
 }
 
 void addClassAddInstructorCommand(Command& parent) {
@@ -111,17 +111,17 @@ void addClassAddInstructorCommand(Command& parent) {
 void addClassInitCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "init", "Make certificates and configuration of a class", runClassInit);
-  command.add_option("DIR", arguments.folder, "Folder to make: the teacher's, with the keys")->required();
-  command.add_option("--class", arguments.plan.class_id, "What the class is called in messages: osteo-1")->required();
-  addSetting(command, "--stations", arguments.plan.stations, between(1, 999), "So many stations, s01 and on");
+  command.add_option("DIR", arguments.folder, "Folder to create for the teacher, with the keys")->required();
+  command.add_option("--class", arguments.plan.class_id, "Name of the class in messages, such as osteo-1")->required();
+  addSetting(command, "--stations", arguments.plan.stations, between(1, 999), "Number of stations, from s01 on");
   command.add_option("--host", arguments.hosts,
-                     "Name or address under which stations reach this computer, several: the first is used");
-  addSetting(command, "--port", arguments.plan.port, between(1, 65535), "Of the broker");
+                     "Name or address at which stations reach this computer, repeatable; stations use the first");
+  addSetting(command, "--port", arguments.plan.port, between(1, 65535), "Port of the broker");
   addSetting(command, "--retain-days", arguments.plan.retention.days, between(1, 36500, "days"),
-             "Rows are kept so many days after a session");
+             "How long to keep rows after a session");
   addSetting(command, "--retain-samples-days", arguments.plan.retention.samples_days, between(1, 36500, "days"),
-             "Session files, at the stations, so many");
-  command.add_option("--label", arguments.plan.label, "What the class is called by people");
+             "How long stations keep recordings");
+  command.add_option("--label", arguments.plan.label, "Display name of the class");
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 
@@ -132,19 +132,19 @@ void addClassAddStationCommand(Command& parent) {
         fmt::print("{}\n", folder.station(classroom::addStation(folder, a.name)).string());
       });
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
-  command.add_option("NAME", arguments.name, "What it is called; without a name the next number");
+  command.add_option("NAME", arguments.name, "Name of the station (default: the next number)");
 }
 
 void addClassRemoveStationCommand(Command& parent) {
   const auto [command, arguments] = addCommand(
       parent, "remove-station", "Revoke a station's certificate, e.g. when its folder was lost", runRemoveStation);
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
-  command.add_option("NAME", arguments.name, "Which station: s01")->required();
-  command.add_flag("--yes", arguments.yes, "Do not ask");
+  command.add_option("NAME", arguments.name, "Station to remove, such as s01")->required();
+  command.add_flag("--yes", arguments.yes, "Do not ask for confirmation");
 }
 
 void addClassCommand(Command& app) {
-  Command& command = *app.add_subcommand("class", "A class over the network: broker, collector, instructor's view");
+  Command& command = *app.add_subcommand("class", "Run a class over the network: broker, collector, instructor's view");
   command.require_subcommand(1);
   addClassInitCommand(command);
   addClassAddStationCommand(command);

@@ -238,8 +238,8 @@ bool allConnected(const Stations& stations) {
 ClassLoadReport runClassLoad(const classroom::ClassFolder& folder, const ClassLoadSettings& settings,
                              const std::function<bool(double done_s)>& going) {
   if (static_cast<int>(folder.stations.size()) < settings.first - 1 + settings.stations) {
-    throw Error(
-        fmt::format("the class has only {} station{}", folder.stations.size(), folder.stations.size() == 1 ? "" : "s"));
+    throw Error(fmt::format("the class has only {} station{}; lower --stations or --first", folder.stations.size(),
+                            folder.stations.size() == 1 ? "" : "s"));
   }
   ClassLoadReport report;
   report.stations = settings.stations;

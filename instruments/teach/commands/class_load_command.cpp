@@ -180,15 +180,15 @@ void addClassLoadCommand(Command& parent) {
       [](const ClassLoadArguments& a) { a.servo_s > 0.0 ? runServoBeside(a) : runLoad(a); });
   command.group("");  // for tools/check-class
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
-  command.add_option("--records-folder", arguments.records_folder, "Where the stations keep their records")->required();
-  addNumber(command, "--stations", arguments.settings.stations, between(1, 100), "So many");
-  addNumber(command, "--first", arguments.settings.first, between(1, 999), "From this one of the class on");
-  addNumber(command, "--seconds", arguments.settings.seconds, between(1.0, 86400.0, "s"), "How long");
+  command.add_option("--records-folder", arguments.records_folder, "Folder of the stations' records")->required();
+  addNumber(command, "--stations", arguments.settings.stations, between(1, 100), "Number of stations");
+  addNumber(command, "--first", arguments.settings.first, between(1, 999), "Number of the first station");
+  addNumber(command, "--seconds", arguments.settings.seconds, between(1.0, 86400.0, "s"), "Duration");
   addNumber(command, "--trial-every", arguments.settings.trial_every_s, between(0.1, 3600.0, "s"),
-            "A trial of a station, on average");
-  command.add_option("--database", arguments.database, "Compare what is in this PostgreSQL with what was recorded");
+            "Mean time between the trials of a station");
+  command.add_option("--database", arguments.database, "Compare this PostgreSQL with what was recorded");
   addNumber(command, "--servo", arguments.servo_s, between(0.0, 600.0, "s"),
-            "Instead: the servo loop without and with one station's link, so long each");
+            "Time the servo loop instead, this long without and with one station's link");
 }
 
 }  // namespace palpate::app

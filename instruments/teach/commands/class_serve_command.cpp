@@ -180,17 +180,17 @@ void runClassServe(const ClassServeArguments& arguments) {
 
 void addClassServeCommand(Command& parent) {
   const auto [command, arguments] =
-      addCommand(parent, "serve", "Collect what the stations of a class record", runClassServe);
+      addCommand(parent, "serve", "Collect the records of a class's stations", runClassServe);
   command.add_option("DIR", arguments.folder, "Folder of the class")->required();
   Option* records = command.add_option("--records", arguments.records,
-                                       "Into this SQLite file; without it and --database DIR/class.results");
+                                       "SQLite file to store records in (default: DIR/class.results)");
   command
       .add_option("--database", arguments.database,
-                  "Into PostgreSQL: \"host=/run/postgresql dbname=class\" or postgresql://...")
+                  "PostgreSQL to store records in: \"host=/run/postgresql dbname=class\" or postgresql://...")
       ->excludes(records);
-  command.add_flag("--broker", arguments.broker, "Run mosquitto too, with the class's configuration");
-  addNumber(command, "--seconds", arguments.seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
-  command.add_flag("--json", arguments.json, "Print a JSON object each second");
+  command.add_flag("--broker", arguments.broker, "Also run mosquitto, with the class's configuration");
+  addNumber(command, "--seconds", arguments.seconds, between(0.0, 1e6, "s"), "Stop after this time; 0: never");
+  command.add_flag("--json", arguments.json, "Print one JSON object per second");
   addLanguage(command, arguments.language);
 }
 

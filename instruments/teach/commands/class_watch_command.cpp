@@ -80,7 +80,8 @@ void runClassWatch(const ClassWatchArguments& arguments) {
   const std::filesystem::path folder = arguments.folder;
   const bool whole = std::filesystem::exists(folder / "class.toml");
   const classroom::Member member = classroom::readMember(whole ? folder / "instructor" : folder);
-  if (member.role != classroom::Role::instructor) throw Error(arguments.folder + ": is not an instructor's folder");
+  if (member.role != classroom::Role::instructor)
+    throw Error(arguments.folder + ": must be the folder of a class or of its instructor");
   const int days = classroom::daysLeft(readFile(member.certificate, 65536));
   for (const std::string& line : classroom::certificateWarnings({{"this window", member.certificate, days}})) {
     say(fmt::format("palpate: {}\n", line));
@@ -131,14 +132,14 @@ Json tileJson(const classroom::Tile& tile) {
 
 void addClassWatchCommand(Command& parent) {
   const auto [command, arguments] =
-      addCommand(parent, "watch", "The instructor's view: every station, who needs help first", runClassWatch);
+      addCommand(parent, "watch", "Watch every station of a class, those that need help first", runClassWatch);
   command.add_option("DIR", arguments.folder, "Folder of the class, or of its instructor")->required();
   command.add_option("--records", arguments.records,
-                     "Records (a file, or the address of PostgreSQL) whose results the learning curve begins with");
-  command.add_option("--station", arguments.opened, "Open this station at first");
+                     "Earlier records for the learning curve: a file, or the address of PostgreSQL");
+  command.add_option("--station", arguments.opened, "Station to show at the start");
   command.add_option("--picture", arguments.picture, "Write the last picture to this PNG file");
-  addNumber(command, "--seconds", arguments.seconds, between(0.0, 1e6, "s"), "End by itself after so long; 0: never");
-  command.add_flag("--json", arguments.json, "No window: print a JSON object each second");
+  addNumber(command, "--seconds", arguments.seconds, between(0.0, 1e6, "s"), "Stop after this time; 0: never");
+  command.add_flag("--json", arguments.json, "Open no window; print one JSON object per second");
   addLanguage(command, arguments.language);
 }
 

@@ -67,13 +67,12 @@ void addResultsCodesCommand(Command& parent) {
         }
         runResultsCodes(a);
       });
-  addSetting(command, "--count", arguments.count, between(1, 10000), "So many");
+  addSetting(command, "--count", arguments.count, between(1, 10000), "Number of codes");
   command
-      .add_option(
-          "--class", arguments.class_id,
-          "The class that they are for, whose pseudonyms are printed: its folder; its id where the class has no secret")
+      .add_option("--class", arguments.class_id,
+                  "Class to print pseudonyms for: its folder, or its id if the class has no secret")
       ->type_name("DIR");
-  Option* csv = command.add_flag("--csv", arguments.csv, "A table to write names beside, instead of cards");
+  Option* csv = command.add_flag("--csv", arguments.csv, "Print a table with room for names instead of cards");
   command.add_flag("--json", arguments.json, "Print one JSON object")->excludes(csv);
 }
 

@@ -47,7 +47,7 @@ std::size_t countTrials(Store& store, const SessionRow& session) {
 
 void addResultsFile(Command& command, ResultsArguments& arguments) {
   command.add_option("FILE", arguments.file,
-                     "Records of training (default: your own, palpate.results), or a class's PostgreSQL: "
+                     "Training records (default: your own, palpate.results), or a class's PostgreSQL: "
                      "\"host=/run/postgresql dbname=class\" or postgresql://...");
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
@@ -61,8 +61,7 @@ void addClassFolder(Command& command, ResultsArguments& arguments) {
   command
       .add_option(
           "--class", arguments.class_folder,
-          "Folder of the class or of a station, whose secret makes pseudonyms of codes (default: what the records "
-          "remember)")
+          "Folder of the class or station whose secret turns codes into pseudonyms (default: as the records remember)")
       ->type_name("DIR");
 }
 
@@ -95,7 +94,7 @@ Store openedResults(const ResultsArguments& arguments) {
       arguments.file.empty() ? training::defaultRecords() : std::filesystem::path(arguments.file);
   std::error_code error;
   if (!std::filesystem::exists(file, error)) {
-    throw Error::inFile(file.string(), "no such file; `palpate train` makes records");
+    throw Error::inFile(file.string(), "no such file; `palpate train` creates records");
   }
   Store store(file, Store::Open::existing);
   remember(store, arguments.class_folder);
@@ -117,11 +116,11 @@ TraineeRow traineeCalled(Store& store, const std::string& code_or_id) {
   }
   if (found.size() == 1) return found.front();
   if (found.empty()) {
-    throw Error(
-        fmt::format("'{}' is neither a code (as on the card) nor a pseudonym here (palpate train results class)",
-                    oneLine(code_or_id)));
+    throw Error(fmt::format(
+        "'{}' is neither a code (as on the card) nor a pseudonym here; `palpate train results class` lists them",
+        oneLine(code_or_id)));
   }
-  throw Error(fmt::format("'{}' is how {} pseudonyms begin; give more of it", oneLine(code_or_id), found.size()));
+  throw Error(fmt::format("'{}' is the start of {} pseudonyms; give more letters", oneLine(code_or_id), found.size()));
 }
 
 std::string formatUtcTime(std::int64_t ms) {
@@ -186,7 +185,7 @@ std::string sessionLine(Store& store, const SessionRow& session) {
 }
 
 void addResultsCommand(Command& train) {
-  Command& command = *train.add_subcommand("results", "What the records of training hold; codes, exports, deletion");
+  Command& command = *train.add_subcommand("results", "List, check, export and delete training records; print codes");
   command.require_subcommand(1);
   addResultsListCommand(command);
   addResultsTraineeCommand(command);

@@ -128,18 +128,18 @@ void runResultsPurge(const DeleteArguments& arguments) {
 
 void addResultsDeleteCommand(Command& parent) {
   const auto [command, arguments] =
-      addCommand(parent, "delete", "Forget one trainee: rows, recordings, key; the class too", runResultsDelete);
+      addCommand(parent, "delete", "Delete one trainee: rows, recordings, key; from the class too", runResultsDelete);
   addResultsFile(command, arguments.results);
   addClassFolder(command, arguments.results);
   command.add_option("--trainee", arguments.trainee, kTraineeHelp)->required()->type_name("CODE");
-  command.add_flag("--yes", arguments.yes, "Do not ask");
+  command.add_flag("--yes", arguments.yes, "Do not ask for confirmation");
 }
 
 void addResultsPurgeCommand(Command& parent) {
   const auto [command, arguments] =
-      addCommand(parent, "purge", "Forget what the classes have kept for as long as they said", runResultsPurge);
+      addCommand(parent, "purge", "Delete what classes have kept for their retention time", runResultsPurge);
   addResultsFile(command, arguments.results);
-  command.add_flag("--dry-run", arguments.dry_run, "Only count");
+  command.add_flag("--dry-run", arguments.dry_run, "Count only, delete nothing");
 }
 
 }  // namespace palpate::app

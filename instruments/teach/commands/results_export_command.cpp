@@ -31,7 +31,7 @@ struct ExportArguments {
 
 void refuseThere(const fs::path& file, bool force) {
   std::error_code error;
-  if (!force && fs::exists(file, error)) throw Error::inFile(file.string(), "is there already (--force replaces it)");
+  if (!force && fs::exists(file, error)) throw Error::inFile(file.string(), "exists already; replace it with --force");
 }
 
 /// In the records themselves: of a database `store` is a copy.
@@ -50,9 +50,9 @@ void runResultsExport(const ExportArguments& arguments) {
     return;
   }
   if (arguments.csv.empty() && arguments.json.empty() && arguments.xapi.empty()) {
-    throw Error("export: say as what: --csv DIR, --json FILE or --xapi FILE");
+    throw Error("export: expected --csv DIR, --json FILE or --xapi FILE");
   }
-  if (arguments.raw && arguments.csv.empty()) throw Error("export: --raw is for --csv DIR");
+  if (arguments.raw && arguments.csv.empty()) throw Error("export: --raw needs --csv DIR");
   training::Store store = openedResults(arguments.results);
   std::vector<std::pair<fs::path, std::string>> files;
   if (!arguments.csv.empty()) {
@@ -80,20 +80,20 @@ void runResultsExport(const ExportArguments& arguments) {
 
 void addResultsExportCommand(Command& parent) {
   const auto [command, arguments] =
-      addCommand(parent, "export", "For statistics (CSV, JSON) or a learning record store (xAPI)", runResultsExport);
-  command.add_option("FILE", arguments.results.file, "Records of training (default: your own, palpate.results)");
-  command.add_option("--csv", arguments.csv, "A table a file, with a dictionary of what the columns mean")
+      addCommand(parent, "export", "Export records for statistics (CSV, JSON) or a learning record store (xAPI)",
+                 runResultsExport);
+  command.add_option("FILE", arguments.results.file, "Training records (default: your own, palpate.results)");
+  command.add_option("--csv", arguments.csv, "Write one file per table, with a dictionary of the columns")
       ->type_name("DIR");
-  command.add_option("--json", arguments.json, "All of it in one file")->type_name("FILE");
-  command.add_option("--xapi", arguments.xapi, "Statements of xAPI 1.0.3")->type_name("FILE");
-  command.add_option("--home-page", arguments.settings.home_page, "Of the accounts in xAPI: a page of your own")
+  command.add_option("--json", arguments.json, "Write everything to one file")->type_name("FILE");
+  command.add_option("--xapi", arguments.xapi, "Write xAPI 1.0.3 statements")->type_name("FILE");
+  command.add_option("--home-page", arguments.settings.home_page, "Home page of the xAPI accounts: a page of your own")
       ->capture_default_str()
       ->type_name("URL");
-  command.add_flag(
-      "--raw", arguments.raw,
-      "Write texts that begin like a formula (= + - @) as they are, for programs; without it an apostrophe "
-      "stands before them");
-  command.add_flag("--force", arguments.force, "Replace files that are there");
+  command.add_flag("--raw", arguments.raw,
+                   "Write texts that begin like a formula (= + - @) unchanged, for programs; without it an apostrophe "
+                   "goes before them");
+  command.add_flag("--force", arguments.force, "Replace existing files");
   command.add_flag("--columns", arguments.columns, "Print every table and column of the records (Markdown) and stop");
 }
 

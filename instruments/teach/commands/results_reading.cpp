@@ -153,14 +153,14 @@ void runResultsVerify(const ReadingArguments& arguments) {
 }  // namespace
 
 void addResultsListCommand(Command& parent) {
-  const auto [command, arguments] = addCommand(parent, "list", "The sessions, oldest first", runResultsList);
+  const auto [command, arguments] = addCommand(parent, "list", "List the sessions, oldest first", runResultsList);
   addResultsFile(command, arguments.results);
   addClassFolder(command, arguments.results);
   command.add_option("--trainee", arguments.trainee, kTraineeHelp)->type_name("CODE");
 }
 
 void addResultsTraineeCommand(Command& parent) {
-  const auto [command, arguments] = addCommand(parent, "trainee", "One trainee", runResultsTrainee);
+  const auto [command, arguments] = addCommand(parent, "trainee", "Show one trainee's results", runResultsTrainee);
   command.add_option("CODE", arguments.trainee, kTraineeHelp)->required();
   addResultsFile(command, arguments.results);
   addClassFolder(command, arguments.results);
@@ -168,13 +168,13 @@ void addResultsTraineeCommand(Command& parent) {
 }
 
 void addResultsClassCommand(Command& parent) {
-  const auto [command, arguments] = addCommand(parent, "class", "Everybody, a line each", runResultsClass);
+  const auto [command, arguments] = addCommand(parent, "class", "List all trainees, one per line", runResultsClass);
   addResultsFile(command, arguments.results);
 }
 
 void addResultsVerifyCommand(Command& parent) {
   const auto [command, arguments] =
-      addCommand(parent, "verify", "Whether rows, recordings and results are whole and agree", runResultsVerify);
+      addCommand(parent, "verify", "Check that rows, recordings and results are complete and agree", runResultsVerify);
   addResultsFile(command, arguments.results);
 }
 

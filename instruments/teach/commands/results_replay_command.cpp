@@ -34,8 +34,8 @@ training::TrialRow trialCalled(training::Store& store, const std::string& id) {
     }
   }
   if (found.size() == 1) return found.front();
-  throw Error(fmt::format("'{}' is {} here (ids are in `palpate train results export --csv`)", oneLine(id),
-                          found.empty() ? "no trial" : "the end of several trials' ids"));
+  throw Error(fmt::format("trial '{}': {}; `palpate train results export --csv` lists the ids", oneLine(id),
+                          found.empty() ? "no trial here has this id" : "several trials' ids end like this"));
 }
 
 void runTrialReplay(const TrialReplayArguments& arguments) {
@@ -44,11 +44,11 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
   const auto session = store.rows().session(trial.session_id);
   if (!session) throw Error(fmt::format("trial {} belongs to no session", trial.id));
   if (store.holdsCopies()) {
-    throw Error::inFile(store.file().string(),
-                        "holds what stations sent; samples stay at the station: replay it there");
+    throw Error::inFile(store.file().string(), "holds no samples: they stay at the station; replay the trial there");
   }
   std::error_code error;
-  if (std::filesystem::exists(arguments.out, error)) throw Error::inFile(arguments.out, "is there already");
+  if (std::filesystem::exists(arguments.out, error))
+    throw Error::inFile(arguments.out, "exists already; name another file");
   const training::OpenedRecording opened = training::RecordingFiles(store).open(*session);
   ProgressLine progress;
   trace::RecordingReader recording(opened.file());
@@ -71,12 +71,12 @@ void runTrialReplay(const TrialReplayArguments& arguments) {
 }  // namespace
 
 void addResultsReplayCommand(Command& parent) {
-  const auto [command, arguments] =
-      addCommand(parent, "replay", "One trial as a recording, for palpate recording replay, run, render and report",
-                 runTrialReplay);
-  command.add_option("TRIAL", arguments.trial, "Its id, or the end of it")->required();
+  const auto [command, arguments] = addCommand(
+      parent, "replay", "Write one trial as a recording, for palpate recording replay, run, render and report",
+      runTrialReplay);
+  command.add_option("TRIAL", arguments.trial, "Id of the trial, or the end of it")->required();
   addResultsFile(command, arguments.results);
-  namesFileToWrite(command.add_option("-o,--out", arguments.out, "The recording to write"))
+  namesFileToWrite(command.add_option("-o,--out", arguments.out, "Recording to write"))
       ->required()
       ->type_name("OUT.session");
 }

@@ -188,7 +188,7 @@ class TraineeCommand {
         throw Error("--trainee: sittings with lumps take observer=lump,spread=3.4,...");
       }
       if (simulated.fast) throw Error("--fast: lumps are felt on a body");
-      if (simulated.programme) throw Error("--programme has no sitting with lumps");
+      if (simulated.programme) throw Error("--programme has no lump sessions");
     }
     if (!options.class_id.empty() && !classroom::isClassWord(options.class_id)) {
       member_ = classroom::readMember(options.class_id);
@@ -364,23 +364,24 @@ void addTraineeOptions(Command& command, TraineeOptions& options) {
   constexpr const char* kGroup = "Simulated trainee";
   command
       .add_flag("--programme", options.programme,
-                "The whole course: pre-test, six practices, post-test; what the records hold already is left out")
+                "Run the whole programme (pre-test, six practices, post-test), except what the records have already")
       ->group(kGroup);
-  command.add_flag("--fast", options.fast, "Touches nothing: felt stiffness as even tissue would give it")
+  command.add_flag("--fast", options.fast, "Touch nothing; compute the felt stiffness as even tissue would give it")
       ->group(kGroup);
-  addNumber(command, "--trainees", options.trainees, between(1, 1000), "A class of so many, one after the other")
+  addNumber(command, "--trainees", options.trainees, between(1, 1000),
+            "Simulate a class of this many trainees, one after the other")
       ->group(kGroup);
   addNumber(command, "--spread", options.spread, between(0.0, 1.0),
-            "Of the thresholds of several: standard deviation of the logarithm")
+            "Spread of the trainees' thresholds (standard deviation of the logarithm)")
       ->group(kGroup);
   command
       .add_option("--hand", options.hand,
-                  "The simulated hand and its device, as for --device hand: thimble,touch_x or stylus_z,premium_3_0")
+                  "Simulated hand and its device, as for --device hand: thimble,touch_x or stylus_z,premium_3_0")
       ->capture_default_str()
       ->group(kGroup);
-  command.add_option("--start", options.start, "When the first session is, UTC")->capture_default_str()->group(kGroup);
+  command.add_option("--start", options.start, "Time of the first session (UTC)")->capture_default_str()->group(kGroup);
   addNumber(command, "--most-trials", options.most_trials, between(0, 1000),
-            "Puts each block down after so many trials; 0: never")
+            "Interrupt each block after this many trials; 0: never")
       ->group(kGroup);
 }
 

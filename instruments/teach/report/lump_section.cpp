@@ -104,7 +104,8 @@ std::string saidTable(const LumpGroup& group) {
   addSaid(rows, toTranslate("{:g} mm large"), group.task.diameters_mm, group.all.size);
   addSaid(rows, toTranslate("{:g} mm deep"), group.task.depths_mm, group.all.depth);
   addSaid(rows, toTranslate("{:g} times as stiff"), group.task.ratios, group.all.hardness);
-  return tableOf("numbers", {tr("lumps that were found"), tr("said: least"), tr("said: middle"), tr("said: most")},
+  return tableOf("numbers",
+                 {tr("lumps that were found"), tr("answered: least"), tr("answered: middle"), tr("answered: most")},
                  rows);
 }
 
@@ -157,16 +158,16 @@ std::string lumpSections(const TrainingReport& report) {
   for (const LumpGroup& group : report.lumps) {
     html += htmlElement("h2", groupName(group)) + "\n" + sittingsTable(group, report.of_class) + kindsTable(group);
     if (group.all.error_mm.count > 0) {
-      html += htmlElement("p", trf("Places were named {:.1f} mm beside the lumps (median; the farthest {:.1f} mm).",
+      html += htmlElement("p", trf("Named places were {:.1f} mm from the lumps (median; the farthest {:.1f} mm).",
                                    group.all.error_mm.median, group.all.error_mm.greatest)) +
               "\n";
     }
-    html += foldedHtml(tr("What was said of the lumps that were found"), saidTable(group));
+    html += foldedHtml(tr("Answers about the lumps that were found"), saidTable(group));
   }
   if (!html.empty()) {
-    html += htmlElement("p", tr("C says how plainly a lump is felt: the change of force and of the pattern of pressure "
-                                "over it, each over the smallest that people notice. d′ says how well bodies with a "
-                                "lump were told from those without: 0 is guessing.")) +
+    html += htmlElement("p", tr("C is how clearly a lump is felt: the change of force and of the pressure pattern over "
+                                "it, each divided by the smallest that people notice. d′ is how well bodies with a "
+                                "lump were distinguished from those without: 0 is guessing.")) +
             "\n";
   }
   return html;

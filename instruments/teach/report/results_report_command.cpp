@@ -44,19 +44,20 @@ void addResultsReportCommand(Command& parent) {
       parent, "report",
       "Tell how training went (learning curve, accuracy, what was felt; of a trainee or a class) as one HTML page",
       runResultsReport);
-  command
-      .add_option("FILE", a.request.file, "Record of training (.results), or a class's PostgreSQL: postgresql://...")
+  command.add_option("FILE", a.request.file, "Training record (.results), or a class's PostgreSQL: postgresql://...")
       ->required();
   namesFileToWrite(command.add_option(
       "-o,--out", a.request.out,
-      "Page to write (default: the file's name with .html (of a database class.html), in this folder)"));
+      "Page to write (default: the file's name with .html, or class.html for a database, in this folder)"));
   Option& trainee = *command.add_option("--trainee", a.settings.trainee,
-                                        "One trainee, by code or by the first letters of the pseudonym");
-  command.add_flag("--class", a.settings.whole_class, "All trainees, also where there is but one")->excludes(&trainee);
-  command.add_option("--class-word", a.settings.only_class, "The same, of one class where the record has several")
+                                        "Report on one trainee, by code or by the first letters of the pseudonym");
+  command.add_flag("--class", a.settings.whole_class, "Report on all trainees, even if there is only one")
       ->excludes(&trainee);
-  command.add_flag("--json", a.request.json,
-                   "Print all numbers as one JSON object; a page is written then only with --out");
+  command
+      .add_option("--class-word", a.settings.only_class,
+                  "Report on all trainees of one class, if the record has several")
+      ->excludes(&trainee);
+  command.add_flag("--json", a.request.json, "Print all numbers as one JSON object; write a page only with --out");
   addLanguage(command, a.language);
 }
 

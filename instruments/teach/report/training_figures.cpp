@@ -271,14 +271,13 @@ TrainingPicture curvePicture(const TraineeStatistics& trainee, const std::vector
     return fmt::format("{} {}", occasionName(block.kind, block.nth),
                        formatThreshold(block.threshold->median, block.threshold->low, block.threshold->high));
   };
-  return {
-      "curve",
-      tr("Lower is better. Markers: each block by itself. Line and blue band: what all blocks up to it say together, "
-         "with its 95 % band; a threshold may wander by a fifth between blocks.") +
-          (has_others ? std::string(" ") + tr("Grey: the middle half of the class.") : std::string()),
-      firstAndLast(tr("Learning curve, smallest reliable change"), said(trainee.curve.front()),
-                   said(trainee.curve.back()), trainee.curve.size()),
-      wideFigure(std::move(plot), 400.0)};
+  return {"curve",
+          tr("Lower is better. Markers: each block by itself. Line and blue band: the estimate from all blocks up to "
+             "it, with its 95 % band; a threshold may drift by a fifth between blocks.") +
+              (has_others ? std::string(" ") + tr("Grey: the middle half of the class.") : std::string()),
+          firstAndLast(tr("Learning curve, smallest reliable change"), said(trainee.curve.front()),
+                       said(trainee.curve.back()), trainee.curve.size()),
+          wideFigure(std::move(plot), 400.0)};
 }
 
 TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics) {
@@ -360,12 +359,11 @@ TrainingPicture fitPicture(const std::vector<const ThresholdPoint*>& blocks) {
                              formatAnswerBoxes(point->trials.boxes, 100.0, " %"));
   }
   alternative.erase(0, 1);
-  return {
-      "fit",
-      tr("How often answers are right at which change: the fitted function with its 95 % band, and the answers with "
-         "neighbouring changes together (bars: 95 %). Dashed: T. Answers given after fewer places were felt lie on "
-         "a function of their own; the fit allows for it, the dots do not."),
-      alternative, std::move(figure)};
+  return {"fit",
+          tr("How often answers are right at which change: the fitted function with its 95 % band, and the answers "
+             "with neighbouring changes together (bars: 95 %). Dashed: T. Answers given after fewer places were felt "
+             "follow a separate function; the fit allows for it, the dots do not."),
+          alternative, std::move(figure)};
 }
 
 TrainingPicture collapsedPicture(const std::vector<AnswerBox>& boxes) {
@@ -381,13 +379,13 @@ TrainingPicture collapsedPicture(const std::vector<AnswerBox>& boxes) {
   }
   plot.series.push_back(std::move(expected));
   addBoxes(boxes, 1.0, tr("answers of tests, 95 % intervals"), figures::kInk, Marker::circle, plot);
-  return {"fit",
-          tr("All answers of tests, the change counted in units of each block's own threshold, and what the fitted "
-             "functions expect. Below the threshold dots lie somewhat under the line also where the model holds "
-             "exactly: answers chose both the changes and the threshold. It is a picture of the answers, no test of "
-             "the model."),
-          trf("Right answers of tests by change over own threshold: {}.", formatAnswerBoxes(boxes, 1.0, "")),
-          wideFigure(std::move(plot), 360.0)};
+  return {
+      "fit",
+      tr("All answers of tests, with the change in units of each block's own threshold, and what the fitted functions "
+         "expect. Below the threshold, dots are somewhat under the line even if the model holds exactly: answers chose "
+         "both the changes and the threshold. The picture shows the answers; it does not test the model."),
+      trf("Right answers of tests by change over own threshold: {}.", formatAnswerBoxes(boxes, 1.0, "")),
+      wideFigure(std::move(plot), 360.0)};
 }
 
 // ---- accuracy, force, time

@@ -169,20 +169,20 @@ class PageWriter {
                      tr("It belongs to the device, the thimble and the number of places asked about. How often places "
                         "were felt changes it too: read it with places felt and time."))},
         {"95 %", tr("Of T: the middle 95 % of what the answers leave open (posterior). Of shares: Wilson's interval.")},
-        {tr("So far"),
-         tr("What all blocks up to this one say together, where T may have wandered by a fifth from each to "
-            "the next. Another device begins again.")},
+        {tr("So far"), tr("The estimate from all blocks up to this one, where T may drift by a fifth from each to the "
+                          "next. It starts again with another device.")},
         {tr("Too early to call a change"),
          tr("The difference of two results (of ln T) is no larger than the root of the "
             "sum of squares of the halves of their 95 % intervals.")},
         {tr("Mean of the group"),
          tr("A two-level model: ln T is normally distributed between trainees, and each trainee is known as well as "
-            "the answers tell. Not the mean of single results, which are drawn towards what was believed before.")},
-        {tr("Counted"), tr("No warm-up, and the true place was felt (pressed hard and long enough). Who never felt it "
-                           "cannot find it; guessing is then among the places that were felt.")},
+            "the answers allow. It is not the mean of single results, which are pulled towards the prior.")},
+        {tr("Counted"),
+         tr("Trials after the warm-up in which the true place was felt (pressed hard and long enough). A place that "
+            "was not felt cannot be found; guessing is then among the places that were felt.")},
         {tr("Search, palpation"), tr("On the skin: moving faster than 20 mm/s, or slower.")},
         {tr("What is not shown"), tr(kNotShown)}};
-    addHeading(tr("What the words mean"));
+    addHeading(tr("What the terms mean"));
     add("<dl>\n");
     for (const auto& [word, meaning] : words) add(htmlElement("dt", word) + htmlElement("dd", meaning) + "\n");
     add("</dl>\n");

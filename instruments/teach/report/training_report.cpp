@@ -49,9 +49,9 @@ WantedTrainee wantedTrainee(const TrainingReportSettings& settings, training::St
     if (settings.trainee.size() >= kPseudonymLetters && row.id.starts_with(settings.trainee)) found.push_back(row.id);
   }
   if (found.size() == 1) return {found.front(), shortPseudonym(found.front())};
-  throw Error::inFile(store.file().string(),
-                      found.empty() ? fmt::format("holds no trainee '{}'", settings.trainee)
-                                    : fmt::format("holds {} trainees '{}...'", found.size(), settings.trainee));
+  throw Error::inFile(store.file().string(), found.empty() ? fmt::format("has no trainee '{}'", settings.trainee)
+                                                           : fmt::format("has {} trainees '{}...'; give more letters",
+                                                                         found.size(), settings.trainee));
 }
 
 std::string classTitle(const std::vector<training::ClassRow>& classes, const std::string& id) {
@@ -162,7 +162,7 @@ std::string lapseSentence(const TrialStatistics& tests) {
   if (10 * tests.easy_wrong <= tests.easy) {
     return trf("Of {} easy trials in tests {} went wrong.", tests.easy, tests.easy_wrong);
   }
-  return trf("Of {} easy trials in tests {} went wrong: attention may have wandered, read the results with care.",
+  return trf("Of {} easy trials in tests {} went wrong: attention may have lapsed, so read the results with care.",
              tests.easy, tests.easy_wrong);
 }
 
@@ -240,7 +240,7 @@ TrainingReport trainingReport(const TrainingReportSettings& settings, const Prog
     return settings.only_class.empty() || row.class_id == settings.only_class;
   });
   if (!settings.only_class.empty() && report.record.trainees.empty()) {
-    throw Error::inFile(report.file.string(), fmt::format("holds no trainee of a class '{}'", settings.only_class));
+    throw Error::inFile(report.file.string(), fmt::format("has no trainee of class '{}'", settings.only_class));
   }
   palpate::report(progress, "computing", 0.0);
   if (!settings.trainee.empty()) {

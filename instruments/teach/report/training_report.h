@@ -61,8 +61,8 @@ std::string trainingPage(const TrainingReport& report, const Progress& progress)
 
 /// Limits of the numbers here, in English, for tr().
 inline constexpr const char* kNotShown = toTranslate(
-    "These numbers show how small a difference of stiffness somebody finds on this simulator, with this device. They "
-    "do not show skill on patients: nobody has tested yet whether it carries over.");
+    "These numbers show how small a difference of stiffness a trainee finds on this simulator, with this device. They "
+    "do not show skill on patients: whether it carries over has not been tested yet.");
 
 /// A trainee may see quartiles of others' results only where at least this many keep each from being recognised.
 inline constexpr int kMinOthers = 5;

@@ -134,7 +134,7 @@ TrainingPicture coveragePicture(const TrialStatistics& trials, const ReportBack&
   }
   return {"coverage",
           trf("How long and how hard each site was pressed in {}, on average, seen from behind with the head upwards. "
-              "Drawn on the body that palpate brings.",
+              "Drawn on palpate's built-in body.",
               what),
           alternative, std::move(figure)};
 }

@@ -334,10 +334,10 @@ std::string answersTable(const TrialStatistics& trials, const std::string& what)
     rows.back().push_back(fmt::format("{}", trials.answers.at(truth, 0)));
   }
   const training::WrongAnswers& wrong = trials.wrong;
-  const std::string where = trf(
-      "Of {} wrong answers in {}, {} named the level beside on the same side, {} the same level on the other side, {} "
-      "another place, {} none in time.",
-      trials.counted - trials.correct, what, wrong.beside, wrong.other_side, wrong.elsewhere, wrong.none);
+  const std::string where =
+      trf("Of {} wrong answers in {}, {} named the neighbouring level on the same side, {} the same level on the other "
+          "side, {} another place, {} none in time.",
+          trials.counted - trials.correct, what, wrong.beside, wrong.other_side, wrong.elsewhere, wrong.none);
   return htmlElement("p", where) + "\n" + foldedHtml(trf("Counts: {}", what), tableOf("numbers", head, rows));
 }
 
@@ -353,9 +353,9 @@ std::string qualitySection(const TrainingReport& report) {
   }
   if (!excluded.empty())
     html += htmlElement("p", trf("Left out, with the reason: {}.", formatReasonCounts(excluded))) + "\n";
-  html += htmlElement("p", changed == 0 ? tr("Every stored result is the one that its trials give.")
-                                        : trf("{} stored results are not what their trials give: the record was "
-                                              "changed, or written by another version.",
+  html += htmlElement("p", changed == 0 ? tr("Every stored result matches its trials.")
+                                        : trf("{} stored results do not match their trials: the record was changed, or "
+                                              "written by another version.",
                                               changed)) +
           "\n";
   if (!report.of_class) html += sessionsTable(statistics.trainees.front());

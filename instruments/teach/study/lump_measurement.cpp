@@ -385,7 +385,7 @@ const DetectionFigure& ExaminedGroup::figure(std::string_view name_of) const {
   for (const DetectionFigure& one : figures) {
     if (one.name == name_of) return one;
   }
-  throw Error(fmt::format("the {} has no figure {}", words, name_of));
+  throw Error(fmt::format("unknown figure of the {}: {}", words, name_of));
 }
 
 double ExaminedGroup::worstPoints() const {

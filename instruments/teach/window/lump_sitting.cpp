@@ -27,8 +27,8 @@ TrainingScreen cardFor(const LumpView& view) {
     screen.lines = {tr("A place is named by touching it: touch it last, then press Here.")};
     if (view.by_mouse) {
       screen.lines.emplace_back(
-          tr("With the mouse the eye stands in for the hand: rings show how far the finger sinks, fewer over a lump. "
-             "Lumps that lie deep need a device."));
+          tr("With the mouse you see what the hand would feel: rings show how far the finger sinks, fewer over a lump. "
+             "Deep lumps need a device."));
     }
     screen.buttons = {buttonFor(TrainingAct::next, tr("Start")), buttonFor(TrainingAct::leave, tr("Leave"))};
   } else {

@@ -108,7 +108,7 @@ std::vector<Offer> offersFor(const TrainingPast& past, const training::Protocol&
     }
     if (past.of(words.kind).interrupted && words.kind != SessionKind::free) {
       offer.enabled = true;
-      offer.line = tr("Goes on where it stopped.");
+      offer.line = tr("Continues where it stopped.");
     }
     offers.push_back(std::move(offer));
   }

@@ -172,7 +172,7 @@ class Tour {
   template <class Ready>
   void until(const Ready& ready, const char* what) {
     for (const auto end = now_s_ + 60.0 * kPatienceS; !ready();) {
-      if (now_s_ > end) throw Error(fmt::format("the tour of screens waits in vain for {}", what));
+      if (now_s_ > end) throw Error(fmt::format("screen tour: timed out waiting for {}", what));
       frame();
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }

@@ -16,7 +16,7 @@ using training::SessionKind;
 /// A device that gives this share of the forces, or more, gives them whole.
 constexpr double kWholeForce = 0.995;
 
-constexpr const char* kCardKeys = toTranslate("Arrow keys choose, Enter takes, Esc goes back.");
+constexpr const char* kCardKeys = toTranslate("Arrow keys choose, Enter confirms, Esc goes back.");
 
 TrainingButton button(TrainingAct act, std::string label, std::string line = {}) {
   return {.act = act, .label = std::move(label), .line = std::move(line)};
@@ -190,7 +190,7 @@ void addProgress(const training::Session& session, TrainingScreen& screen) {
 
 void nextButton(const char* label, TrainingScreen& screen) {
   screen.buttons = {button(TrainingAct::next, label), button(TrainingAct::leave, tr("Leave"))};
-  screen.keys = tr("Space or Enter goes on, Esc leaves.");
+  screen.keys = tr("Space or Enter continues, Esc leaves.");
 }
 
 /// The mouse gives the hand nothing: the eye sees how far the finger sinks. The same words, rings and close view
@@ -237,7 +237,7 @@ TrainingScreen cardOfSession(const TrainingView& view, TrainingScreen screen) {
       return screen;
     default:
       screen.buttons = {button(TrainingAct::next, tr("Back to the choice"))};
-      screen.keys = tr("Space or Enter goes on.");
+      screen.keys = tr("Space or Enter continues.");
       return screen;
   }
 }
@@ -339,8 +339,8 @@ TrainingScreen overScreen(const TrainingView& view) {
   switch (view.over) {
     case TrainingOver::paused:
       screen.title = training::pausedNotice();
-      screen.buttons = {button(TrainingAct::go_on, tr("Go on")), button(TrainingAct::leave, tr("Leave"))};
-      screen.keys = tr("P or Enter goes on, Esc leaves.");
+      screen.buttons = {button(TrainingAct::go_on, tr("Continue")), button(TrainingAct::leave, tr("Leave"))};
+      screen.keys = tr("P or Enter continues, Esc leaves.");
       break;
     case TrainingOver::leaving:
       screen.title = tr("Leave now?");
@@ -358,7 +358,7 @@ TrainingScreen overScreen(const TrainingView& view) {
       screen.title = view.message;
       screen.lines = {tr("From your teacher.")};
       screen.buttons = {button(TrainingAct::yes, tr("All right"))};
-      screen.keys = tr("Enter goes on.");
+      screen.keys = tr("Enter continues.");
       break;
     case TrainingOver::none:
       break;

@@ -80,14 +80,14 @@ TEST_F(ClassInTheWindow, IsNotMadeAgainWhereThereIsOne) {
 }
 
 TEST_F(ClassInTheWindow, SaysWhatTheCommandsSay) {
-  install("echo 'palpate: mosquitto is not installed (Debian: mosquitto)' >&2; exit 2");
+  install("echo 'palpate: mosquitto is not installed (Debian: apt install mosquitto)' >&2; exit 2");
   fs::create_directories(classFolder());
   std::ofstream(folder_ / "osteo/class.toml") << "";
   Stage stage = this->stage();
   stage.state().request(StartClass{classFolder(), "osteo-1", 2, "teacher"});
   ASSERT_TRUE(stage.until([&] { return !stage.state().class_shown.trouble.empty(); }));
   EXPECT_EQ(stage.state().class_shown.trouble,
-            "The class ended (exit code 2): mosquitto is not installed (Debian: mosquitto)");
+            "The class ended (exit code 2): mosquitto is not installed (Debian: apt install mosquitto)");
   EXPECT_FALSE(stage.state().class_shown.runs);
 }
 

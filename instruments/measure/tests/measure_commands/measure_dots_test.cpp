@@ -168,7 +168,7 @@ TEST_F(MeasureDots, WrongInputIsSaidInOneLine) {
       {pair() + " --contact 99999,5", "--contact: 99999,5 lies outside the picture"},
       {pair() + " --name a,b", "--name: has a comma"},
       {pair() + " --at 1,2,3,4", "--at: takes X,Y or a place such as 'T6'"},
-      {pair() + " --overlay it.jpg", "it.jpg: a plot is written as .png, .svg"},
+      {pair() + " --overlay it.jpg", "it.jpg: a plot's name must end in .png or .svg"},
       {pair() + " -o text.jpg", "text.jpg: is a file, not a folder"},
   };
   for (const auto& [arguments, words] : cases) {

@@ -83,7 +83,7 @@ TEST_F(MeasureAverage, SaysWhatItCannotUse) {
             std::string::npos);
   EXPECT_NE(runForError("average a.csv --mirror P4").find("is not FROM:TO"), std::string::npos);
   EXPECT_NE(runForError("average a.csv --mirror P4:P6").find("unknown point 'P4'"), std::string::npos);
-  EXPECT_EQ(runForError("average a.csv --plot a.jpg"), "palpate: a.jpg: a plot is written as .png, .svg\n");
+  EXPECT_EQ(runForError("average a.csv --plot a.jpg"), "palpate: a.jpg: a plot's name must end in .png or .svg\n");
   EXPECT_NE(runForError("average none.csv").find("none.csv"), std::string::npos);
 }
 

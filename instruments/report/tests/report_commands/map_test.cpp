@@ -229,7 +229,7 @@ TEST_F(Map, OfASceneTakesItsKeyPointsAndBones) {
     EXPECT_NEAR(table.at("half_major_mm")[v], at_vertex, 1e-9);
   }
   EXPECT_EQ(runForError("contours --scene hill.toml -o c.csv"),
-            "palpate: map contours: the scene's drags have ellipses; [deformation] shape = \"contour\"\n");
+            "palpate: map contours: the scene's drags have ellipses; set [deformation] shape = \"contour\"\n");
   write("torso.toml", "[body]\nkind = \"torso\"\ntriangles = 8163\n");
   runForJson("depth --scene torso.toml -o d.csv");
   runForJson("depth --triangles 8163 -o bare.csv");
@@ -273,13 +273,15 @@ TEST_F(Map, OfASceneHasTheContoursThatFollowBonesAndFolds) {
 }
 
 TEST_F(Map, WrongInputIsOneLine) {
-  EXPECT_EQ(runForError("ellipses hill.obj -o e.txt"), "palpate: e.txt: a map is written as .csv, .ply, .png, .svg\n");
-  EXPECT_EQ(runForError("ellipses hill.obj -o e.csv --range 5,2"), "palpate: map: --range needs two rising numbers\n");
+  EXPECT_EQ(runForError("ellipses hill.obj -o e.txt"),
+            "palpate: e.txt: a map's name must end in one of .csv, .ply, .png, .svg\n");
+  EXPECT_EQ(runForError("ellipses hill.obj -o e.csv --range 5,2"),
+            "palpate: map: --range must be LOW,HIGH with LOW below HIGH\n");
   EXPECT_EQ(runForError("stiffness hill.obj -o e.csv"),
             "palpate: map stiffness: needs --keys with a stiffness, or the torso's bones\n");
   write("keys.csv", "A,0,0,100,1,90\n");
   EXPECT_EQ(runForError("stiffness hill.obj --keys keys.csv -o e.csv"),
-            "palpate: keys.csv: no key point has a stiffness_n_per_mm\n");
+            "palpate: keys.csv: no key point has a stiffness_n_per_mm; at least one is needed\n");
   write("keys.csv", "A,0,0,100,1,90,0.5\n");
   EXPECT_EQ(runForError("stiffness hill.obj --keys keys.csv -o e.csv --interpolation polynomial"),
             "palpate: polynomial of degree 2: requires 6 key points, got 1\n");

@@ -116,9 +116,9 @@ TEST_F(PlotCommand, NamesWhatIsWrongOnTheCommandLine) {
   EXPECT_EQ(runForError("forces.csv --finger middle"),
             "palpate: forces.csv: has no finger \"middle\"; it has left, right\n");
   EXPECT_EQ(runForError("forces.csv --from 5"),
-            "palpate: forces.csv: no row lies between --from and --to: it reaches from 0 to 0.599 s\n");
+            "palpate: forces.csv: has no rows between --from and --to; it covers 0 to 0.599 s\n");
   EXPECT_EQ(runForError("forces.csv --from 2 --to 1"), "palpate: plot: --from must be below --to\n");
-  EXPECT_EQ(runForError("forces.csv -o plot.jpg"), "palpate: plot.jpg: a plot is written as .png, .svg\n");
+  EXPECT_EQ(runForError("forces.csv -o plot.jpg"), "palpate: plot.jpg: a plot's name must end in .png or .svg\n");
   EXPECT_NE(runForError("forces.csv --columns force,weight").find("--columns"), std::string::npos);
 }
 

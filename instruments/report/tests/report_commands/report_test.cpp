@@ -103,7 +103,7 @@ TEST_F(ReportCommand, WritesOnePageThatNeedsNothingElse) {
   EXPECT_TRUE(has(result.out, "run.session -> run.html")) << result.out;
   const std::string words = wordsOf("run.html");
   for (const char* wanted : {"Recording run.session", "Over time", "How often", "Search and palpation", "On the body",
-                             "Contacts", "Safety", "The loop and its record", "What the words mean", "peak force (N)",
+                             "Contacts", "Safety", "The loop and its record", "What the terms mean", "peak force (N)",
                              "share of the back that was touched", "Emergency stops: 0."}) {
     EXPECT_TRUE(has(words, wanted)) << wanted;
   }
@@ -383,7 +383,7 @@ TEST_F(ReportCommand, AnotherBodyIsNotPaintedOn) {
   EXPECT_TRUE(has(report(), "it has 128 triangles instead of 800"));
   saveDome(20.2);
   const std::string words = report();
-  EXPECT_TRUE(has(words, "not the recorded ones to the bit"));
+  EXPECT_TRUE(has(words, "not bit-identical to the recorded ones"));
   EXPECT_TRUE(has(contentOf(folder_ / "page.html"), "<figure id=\"body\">"));
 }
 
@@ -396,7 +396,7 @@ TEST_F(ReportCommand, ReplacesItsOwnPageAndNothingElse) {
   write("run.html", "<html>mine</html>");
   const CommandResult foreign = palpate("recording report run.session");
   EXPECT_EQ(foreign.exit_code, 2);
-  EXPECT_TRUE(has(foreign.err, "is there already and is not a report")) << foreign.err;
+  EXPECT_TRUE(has(foreign.err, "exists already and is not a report")) << foreign.err;
   EXPECT_EQ(contentOf(folder_ / "run.html"), "<html>mine</html>");
   EXPECT_EQ(palpate("recording report run.session -o run.html").exit_code, 0) << "somebody named it";
   const std::string recording = contentOf(folder_ / "run.session");

@@ -53,7 +53,7 @@ BrokerProcess::~BrokerProcess() { end(SIGTERM); }
 
 void BrokerProcess::start() {
   const std::string program = brokerProgram().string();
-  if (program.empty()) throw Error("mosquitto is not installed (Debian: mosquitto)");
+  if (program.empty()) throw Error("mosquitto is not installed (Debian: apt install mosquitto)");
   const std::string configuration = configuration_.string();
   const std::string log = log_.string();
   const pid_t parent = getpid();

@@ -41,16 +41,17 @@ bool isHost(const std::string& text) {
 
 void checkPlan(const ClassPlan& plan) {
   if (!isClassWord(plan.class_id)) {
-    throw Error(fmt::format("class '{}': lower-case letters, digits and hyphens, at most 32", plan.class_id));
+    throw Error(fmt::format("class '{}': expected lower-case letters, digits and hyphens, at most 32", plan.class_id));
   }
   if (plan.stations < 1 || plan.stations > kMaxStations) {
-    throw Error(fmt::format("{} stations: a class has 1 to {}", plan.stations, kMaxStations));
+    throw Error(fmt::format("{} stations: expected 1 to {}", plan.stations, kMaxStations));
   }
-  if (plan.hosts.empty()) throw Error("the broker has no name: --host");
+  if (plan.hosts.empty()) throw Error("the broker has no name; give one with --host");
   for (const std::string& host : plan.hosts) {
-    if (!isHost(host)) throw Error(fmt::format("'{}' is not a name or address of a computer", host));
+    if (!isHost(host)) throw Error(fmt::format("'{}' must be the name or address of a computer", host));
   }
-  if (plan.label.find_first_of("\"\\\n\r") != std::string::npos) throw Error("label: without quotes and line ends");
+  if (plan.label.find_first_of("\"\\\n\r") != std::string::npos)
+    throw Error("label: must not contain quotes, backslashes or line breaks");
 }
 
 void writeMember(const fs::path& folder, Member member, const Certified& authority, const std::string& name,
@@ -217,7 +218,7 @@ void writeBrokerConfiguration(const ClassFolder& folder) {
 ClassFolder makeClassFolder(const fs::path& folder, const ClassPlan& plan) {
   checkPlan(plan);
   if (fs::exists(folder) && !(fs::is_directory(folder) && fs::is_empty(folder))) {
-    throw Error::inFile(folder.string(), "is there already; a class gets a folder of its own");
+    throw Error::inFile(folder.string(), "exists already; a class needs a new or empty folder");
   }
   ClassFolder made{.folder = folder,
                    .class_id = plan.class_id,
@@ -315,9 +316,10 @@ std::string addStation(const ClassFolder& folder, const std::string& name) {
     if (!fs::exists(folder.station(numberedStation(number)))) added = numberedStation(number);
   }
   if (!isStationName(added)) {
-    throw Error(fmt::format("station '{}': lower-case letters, digits and hyphens, at most 32", added));
+    throw Error(fmt::format("station '{}': expected lower-case letters, digits and hyphens, at most 32", added));
   }
-  if (fs::exists(folder.station(added))) throw Error::inFile(folder.station(added).string(), "is there already");
+  if (fs::exists(folder.station(added)))
+    throw Error::inFile(folder.station(added).string(), "exists already; name another station");
   writeStation(folder, readAuthority(folder), added);
   return added;
 }
@@ -330,7 +332,7 @@ fs::path addInstructor(const ClassFolder& folder) {
     return at;
   }
   throw Error::inFile(folder.folder.string(),
-                      fmt::format("has {} instructors already, as many as it may", kMaxInstructors));
+                      fmt::format("already has {} instructors, the most allowed", kMaxInstructors));
 }
 
 std::vector<fs::path> renewCertificates(const ClassFolder& folder, const std::vector<std::string>& names, int days) {
@@ -361,7 +363,7 @@ std::vector<fs::path> renewCertificates(const ClassFolder& folder, const std::ve
   for (const std::string& name : folder.stations) {
     renew(folder.station(name), [&] { writeStation(folder, authority, name, days); });
   }
-  if (!left.empty()) throw Error::inFile(folder.folder.string(), fmt::format("has nobody called '{}'", left.front()));
+  if (!left.empty()) throw Error::inFile(folder.folder.string(), fmt::format("has no member '{}'", left.front()));
   writeBrokerConfiguration(folder);
   return renewed;
 }

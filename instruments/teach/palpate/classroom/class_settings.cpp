@@ -87,7 +87,7 @@ Member readMember(const std::filesystem::path& file_or_folder) {
     const auto* const found =
         std::ranges::find_if(kNames, [&](const char* name) { return std::filesystem::exists(file_or_folder / name); });
     if (found == kNames.end()) {
-      throw Error::inFile(file.string(), "holds no station.toml, instructor.toml, ingest.toml or checker.toml");
+      throw Error::inFile(file.string(), "has no station.toml, instructor.toml, ingest.toml or checker.toml");
     }
     file /= *found;
   }
@@ -95,7 +95,7 @@ Member readMember(const std::filesystem::path& file_or_folder) {
   member.trainee_key = readTraineeKey(file.parent_path());
   for (const auto& needed : {member.authority, member.certificate, member.key}) {
     if (!std::filesystem::is_regular_file(needed)) {
-      throw Error::inFile(file.string(), fmt::format("names {}, which is not there", needed.string()));
+      throw Error::inFile(file.string(), fmt::format("names {}, which does not exist", needed.string()));
     }
   }
   return member;

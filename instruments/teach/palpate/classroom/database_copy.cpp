@@ -18,7 +18,7 @@ void checkVersion(PostgresSql& sql, const std::string& called) {
   throw Error::inFile(called, version == 0 ? "holds no training records"
                               : version > training::kSchemaVersion
                                   ? "was written by a newer palpate"
-                                  : "was written by an older palpate; `palpate class serve` brings it forward");
+                                  : "was written by an older palpate; `palpate class serve` upgrades it");
 }
 
 }  // namespace

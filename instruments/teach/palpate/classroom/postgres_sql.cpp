@@ -53,7 +53,7 @@ SqlValue numberOf(std::string_view text) {
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size()) {
-    throw Error(fmt::format("the database gave '{}' for a number", oneLine(text.substr(0, kMaxQuoted))));
+    throw Error(fmt::format("the database returned '{}', expected a number", oneLine(text.substr(0, kMaxQuoted))));
   }
   return number;
 }
@@ -76,7 +76,7 @@ void noteWarning(void* warnings, const char* message) {
 SqlValue postgresValue(unsigned type, std::string_view text) {
   switch (type) {
     case kBoolOid:
-      if (text != "t" && text != "f") throw Error("the database must give 't' or 'f' for yes or no");
+      if (text != "t" && text != "f") throw Error("the database must return 't' or 'f' for yes or no");
       return std::int64_t{text == "t" ? 1 : 0};
     case kInt8Oid:
     case kInt2Oid:
@@ -102,8 +102,8 @@ void refusePassword(const std::string& connection) {
   ::PQconninfoFree(options);
   if (has_password) {
     throw Error(
-        "the database's address must not hold a password, which every user of this computer could read (ps); put it "
-        "into ~/.pgpass, a service file or PGPASSWORD");
+        "the database's address must not contain a password, which other users could read (ps); put it into ~/.pgpass, "
+        "a service file or PGPASSWORD");
   }
 }
 

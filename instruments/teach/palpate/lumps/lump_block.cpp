@@ -99,14 +99,14 @@ bool isRight(const LumpTrial& trial, const LumpTask& task) {
 }
 
 LumpBlock::LumpBlock(LumpBlockSettings settings, std::uint64_t seed) : settings_(std::move(settings)), seed_(seed) {
-  if (settings_.places.empty()) throw Error("a sitting with lumps: there is no place for a lump");
+  if (settings_.places.empty()) throw Error("lump session: no place has room for a lump");
   draw();
 }
 
 LumpBlock LumpBlock::resumed(LumpBlockSettings settings, std::string_view state) {
   LumpState read = parseLumpState(state);
   if (read.exam != settings.exam || read.trials.empty()) {
-    throw Error::inFile("state of a block", "not of such a sitting with lumps");
+    throw Error::inFile("state of a block", "not of this kind of lump session");
   }
   LumpBlock block;
   block.settings_ = std::move(settings);

@@ -17,7 +17,7 @@ constexpr int kDrawingVersion = 1;
 constexpr std::size_t kMostOfAny = 1000;
 
 [[noreturn]] void wrongText(std::string_view what) {
-  throw Error::inFile("a sitting with lumps", fmt::format("its record has no {}", what));
+  throw Error::inFile("lump session", fmt::format("its record has no {}", what));
 }
 
 double numberIn(const Json& json, const char* key) {

@@ -51,14 +51,14 @@ double computePatternChange(const contact::FingerOutput& with, const contact::Fi
 void check(const LumpObserver& observer) {
   const auto positive = [](const char* name, double value) {
     if (!(value > 0.0) || !std::isfinite(value)) {
-      throw Error(fmt::format("a lump's observer: {} = {} must be above 0", name, value));
+      throw Error(fmt::format("lump observer: {} = {} must be above 0", name, value));
     }
   };
   positive("force_weber", observer.force_weber);
   positive("pattern_weber", observer.pattern_weber);
   positive("spread", observer.spread);
   if (observer.taxels == 1 || observer.taxels > contact::kMaxTaxels) {
-    throw Error(fmt::format("a lump's observer: taxels = {} is out of range: {} to {}, or 0", observer.taxels,
+    throw Error(fmt::format("lump observer: taxels = {} is out of range: {} to {}, or 0", observer.taxels,
                             contact::kMinTaxels, contact::kMaxTaxels));
   }
 }

@@ -9,7 +9,7 @@ namespace palpate::training {
 
 Exploration::Exploration(const SiteSet& sites, const ExplorationSettings& settings, double tick_s)
     : sites_(sites.sites), settings_(settings), tick_s_(tick_s), felt_(sites.sites.size()) {
-  if (!(tick_s > 0.0)) throw Error("exploration: a tick has to last");
+  if (!(tick_s > 0.0)) throw Error("exploration: a tick must be longer than 0 s");
 }
 
 /// On the map plane, so that a site under raised or sunk skin is still found; 0: none is within reach.

@@ -124,7 +124,7 @@ const TomlNode* tableNamed(const TomlNode& root, const char* name, std::string_v
   const TomlNode* node = root.get(name);
   if (node == nullptr) return nullptr;
   if (!node->isTable()) {
-    throw Error::atLine(file, node->line(), fmt::format("{0} is a table, written as [{0}]", name));
+    throw Error::atLine(file, node->line(), fmt::format("{0} must be a table, written as [{0}]", name));
   }
   return node;
 }
@@ -298,7 +298,7 @@ std::string inQuotes(std::string_view text) {
 }  // namespace
 
 Protocol parseProtocol(std::string_view text, std::string_view file) {
-  if (text.size() > kMaxProtocolBytes) throw Error::inFile(file, "larger than any protocol (1 MiB)");
+  if (text.size() > kMaxProtocolBytes) throw Error::inFile(file, "is too large for a protocol; at most 1 MiB");
   return protocolFrom(scene::parseToml(text, file), file);
 }
 

@@ -29,7 +29,7 @@ class RunningSha256 {
 
  private:
   static void check(bool done) {
-    if (!done) throw Error("SHA-256 is not to be had from OpenSSL");
+    if (!done) throw Error("OpenSSL does not provide SHA-256");
   }
   std::unique_ptr<EVP_MD_CTX, decltype(&::EVP_MD_CTX_free)> context_;
 };
@@ -51,7 +51,7 @@ std::array<std::uint8_t, 32> computeHmacSha256(std::string_view key, std::string
   std::array<std::uint8_t, 32> digest{};
   if (::HMAC(::EVP_sha256(), key.data(), static_cast<int>(key.size()),
              reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(), digest.data(), nullptr) == nullptr) {
-    throw Error("HMAC is not to be had from OpenSSL");
+    throw Error("OpenSSL does not provide HMAC");
   }
   return digest;
 }

@@ -38,8 +38,8 @@ void checkApart(const SiteSet& set) {
   for (std::size_t i = 0; i < set.sites.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if ((set.sites[i].place_mm - set.sites[j].place_mm).norm() >= kMinApartMm) continue;
-      throw Error(fmt::format("sites: '{}' and '{}' lie nearer to each other than {:g} mm", set.sites[j].at,
-                              set.sites[i].at, kMinApartMm));
+      throw Error(fmt::format("sites: '{}' and '{}' are less than {:g} mm apart", set.sites[j].at, set.sites[i].at,
+                              kMinApartMm));
     }
   }
 }
@@ -83,7 +83,7 @@ SiteSet twelveSites(std::span<const body::SkinLandmark> landmarks) {
 
 SiteSet sitesNamed(std::span<const body::SkinLandmark> landmarks, std::span<const std::string> places) {
   if (places.size() < 2 || places.size() > kMaxSites) {
-    throw Error(fmt::format("sites: {} places: from 2 to {} can be asked for", places.size(), kMaxSites));
+    throw Error(fmt::format("sites: {} places; expected 2 to {}", places.size(), kMaxSites));
   }
   SiteSet set;
   for (const std::string& words : places) {

@@ -130,7 +130,7 @@ std::string deviceCheck(bool works) {
 
 std::string breakOfferText() { return tr("You may take a break: press Pause."); }
 
-std::string pausedNotice() { return tr("Paused. Nothing counts until you go on."); }
+std::string pausedNotice() { return tr("Paused. Nothing counts until you continue."); }
 
 std::string goodbye(bool unfinished) {
   return unfinished ? tr("Saved. Next time you continue from here.") : tr("Saved. Thank you.");

@@ -191,9 +191,9 @@ TEST(LumpObserver, StrokesPassTheLumpAtMostHalfTheirDistance) {
 TEST(LumpObserver, SaysWhichOfItsNumbersMakesNoSense) {
   EXPECT_NO_THROW(check(LumpObserver{}));
   EXPECT_EQ(support::thrownMessage([] { check(LumpObserver{.spread = 0.0}); }),
-            "a lump's observer: spread = 0 must be above 0");
+            "lump observer: spread = 0 must be above 0");
   EXPECT_EQ(support::thrownMessage([] { check(LumpObserver{.taxels = 17}); }),
-            "a lump's observer: taxels = 17 is out of range: 2 to 16, or 0");
+            "lump observer: taxels = 17 is out of range: 2 to 16, or 0");
 }
 
 }  // namespace

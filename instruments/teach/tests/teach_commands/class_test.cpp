@@ -40,7 +40,7 @@ TEST(ClassCommand, InitMakesAFolderOnce) {
   EXPECT_EQ(nlohmann::json::parse(made.out)["stations"], (nlohmann::json{"s01", "s02"}));
   const auto again = runPalpate("class init osteo --class osteo-1", folder.path());
   EXPECT_EQ(again.exit_code, 2);
-  EXPECT_NE(again.err.find("osteo: is there already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("osteo: exists already"), std::string::npos) << again.err;
   const auto more = runPalpate("class add-station osteo", folder.path());
   EXPECT_EQ(more.exit_code, 0) << more.err;
   EXPECT_NE(more.out.find("s03"), std::string::npos) << more.out;
@@ -160,7 +160,7 @@ TEST(ClassCommand, AStationsFolderIsNoInstructors) {
   ASSERT_EQ(runPalpate("class init osteo --class osteo-1", folder.path()).exit_code, 0);
   const auto watch = runPalpate("class watch osteo/stations/s01 --json --seconds 1", folder.path());
   EXPECT_EQ(watch.exit_code, 2);
-  EXPECT_NE(watch.err.find("not an instructor's folder"), std::string::npos) << watch.err;
+  EXPECT_NE(watch.err.find("must be the folder of a class or of its instructor"), std::string::npos) << watch.err;
 }
 
 }  // namespace

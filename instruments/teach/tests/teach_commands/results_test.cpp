@@ -112,7 +112,7 @@ TEST(Results, SaysWhereRecordsWouldBe) {
   const support::TemporaryFolder folder;
   const auto none = runPalpate("train results list nothing.results", folder.path());
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_NE(none.err.find("nothing.results: no such file; `palpate train` makes records"), std::string::npos)
+  EXPECT_NE(none.err.find("nothing.results: no such file; `palpate train` creates records"), std::string::npos)
       << none.err;
 }
 

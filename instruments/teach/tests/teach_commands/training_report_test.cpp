@@ -260,7 +260,7 @@ TEST_F(TrainingReport, ATraineeIsFoundByCodeOrPseudonymAndCalledByTheCodeOnlyIfI
   EXPECT_EQ(contentOf(folder_ / "page.html").find(code), std::string::npos);
   const CommandResult unknown = palpate("train results report class.results --trainee 00000000");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_TRUE(hasWords(unknown.err, "holds no trainee '00000000'")) << unknown.err;
+  EXPECT_TRUE(hasWords(unknown.err, "has no trainee '00000000'")) << unknown.err;
 }
 
 TEST_F(TrainingReport, ATraineeSeesOthersQuartilesOnlyWhereFiveStandBehindThem) {

@@ -579,7 +579,7 @@ TEST_F(TrainingWindow, GoesOnWithABlockWhereItStopped) {
     stage.viewer->finish("SIGTERM");
   }
   TrainingSeat again(records);
-  EXPECT_NE(again.words().find("Goes on where it stopped."), std::string::npos);
+  EXPECT_NE(again.words().find("Continues where it stopped."), std::string::npos);
   again.key(Key::enter);  // it is what is suggested
   ASSERT_TRUE(again.begin());
   EXPECT_EQ(again.session().trialNumber(), 2);

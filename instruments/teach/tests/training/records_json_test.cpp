@@ -80,7 +80,7 @@ TEST(RowJson, SaysWhatIsWrongWithAMember) {
       {"excluded", "a\x1b[31m", "'excluded' has bytes that are no text"},
       {"visits", 3, "'visits' must be a list"},
       {"visits", RowObject::array({1}), "visit: must be a JSON object"},
-      {"surprise", 1, "trial: has members that are not known"},
+      {"surprise", 1, "trial: has unknown members"},
   };
   for (const Wrong& wrong : wrongs) {
     RowObject bad = good;

@@ -138,7 +138,7 @@ TEST_F(FitForce, NamesTheLineOfWhatItCannotRead) {
             "palpate: short.csv: the curve has 2 depths below the skin; at least 4 are required\n");
   EXPECT_EQ(runForError("force places.csv --curve L4"),
             "palpate: places.csv: unknown curve 'L4'; did you mean 'L3'?\n");
-  EXPECT_EQ(runForError("force one.csv --plot fit.jpg"), "palpate: fit.jpg: a plot is written as .png, .svg\n");
+  EXPECT_EQ(runForError("force one.csv --plot fit.jpg"), "palpate: fit.jpg: a plot's name must end in .png or .svg\n");
   EXPECT_NE(runForError("force one.csv --form cubik").find("did you mean 'cubic'?"), std::string::npos);
   EXPECT_NE(runForError("force none.csv").find("none.csv"), std::string::npos);
 }

@@ -53,7 +53,7 @@ LockHeader newHeader(const std::string& key_ref) {
   header.key_ref = key_ref;
   header.nonce.resize(8);
   if (!system::fillWithRandom({reinterpret_cast<unsigned char*>(header.nonce.data()), header.nonce.size()}))
-    throw Error("the system's random number generator is unavailable");
+    throw Error("the system provides no random numbers");
   header.bytes = kLockMagic;
   appendNumber(header.bytes, kLockVersion);
   appendNumber(header.bytes, header.piece);
@@ -138,7 +138,7 @@ class PieceCipher {
 
 TraineeKey newTraineeKey() {
   TraineeKey key{};
-  if (!system::fillWithRandom(key)) throw Error("the system's random number generator is unavailable");
+  if (!system::fillWithRandom(key)) throw Error("the system provides no random numbers");
   return key;
 }
 

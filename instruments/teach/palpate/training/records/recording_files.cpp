@@ -59,7 +59,7 @@ void RecordingFiles::makeFolder() const { makePrivateFolder(folder(), ExistingFo
 
 std::string RecordingFiles::keyOf(const Uuid& trainee) {
   std::optional<TraineeRow> row = store_.trainee(trainee);
-  if (!row) throw Error(fmt::format("trainee {} is not kept yet", trainee));
+  if (!row) throw Error(fmt::format("trainee {} is not stored yet", trainee));
   if (!row->key_ref.empty() && vault_.find(row->key_ref)) return row->key_ref;
   row->key_ref = vault_.make();
   store_.save(*row);
@@ -68,14 +68,14 @@ std::string RecordingFiles::keyOf(const Uuid& trainee) {
 
 bool RecordingFiles::lock(const Uuid& session) {
   std::optional<SessionRow> row = store_.rows().session(session);
-  if (!row) throw Error(fmt::format("session {} is not kept yet", session));
+  if (!row) throw Error(fmt::format("session {} is not stored yet", session));
   const fs::path finished = pathOf(nameFor(session));
   const auto recorded = recordedFile(finished);
   if (!recorded) return false;
   if (*recorded != finished) trace::copyRecording(*recorded, finished, "cut off");
   const std::string ref = keyOf(row->trainee_id);
   const auto key = vault_.find(ref);
-  if (!key) throw Error::inFile(vault_.file().string(), "does not hold the key that it has just made");
+  if (!key) throw Error::inFile(vault_.file().string(), "does not contain the key that was just made");
   const fs::path locked = finished.string() + std::string(kLockedExtension);
   lockFile(finished, locked, *key, ref);
   row->file = nameFor(session) + std::string(kLockedExtension);
@@ -107,7 +107,7 @@ int RecordingFiles::lockLeftBehind(double older_than_s) {
 
 OpenedRecording RecordingFiles::open(const SessionRow& session) const {
   if (session.file.empty()) {
-    throw Error(fmt::format("session {} has no recording: none was recorded, or it is no longer kept", session.id));
+    throw Error(fmt::format("session {} has no recording: none was made, or it has been deleted", session.id));
   }
   const fs::path kept = pathOf(session.file);
   OpenedRecording opened(newTemporaryFolder("palpate-session") / (session.id + std::string(kRecordingExtension)));

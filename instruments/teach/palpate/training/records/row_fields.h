@@ -125,7 +125,7 @@ void eachField(Visitor&& visit, R& row) {
   visit("kind", row.kind,
         column(kAnyWord, "practice, mastery, pre_test, post_test, exam, retention, free, lump, lump_exam"));
   visit("start_ms", row.start_ms, column(kTime, "ms since 1970"));
-  visit("end_ms", row.end_ms, column(kTime, "ms since 1970; 0: it goes on, or was cut off"));
+  visit("end_ms", row.end_ms, column(kTime, "ms since 1970; 0: still running, or cut off"));
   visit("app_version", row.app_version, column(text(64), "of palpate"));
   visit("rng_seed", row.rng_seed, column(kSeed, "of all that was drawn: 64 bits, read as a signed number"));
   visit("device", row.device, column(text(400), "with its thimble: thresholds belong to it"));
@@ -145,8 +145,8 @@ void eachField(Visitor&& visit, R& row) {
         column(kAnyWord, "compliance: k'/k = 1/(1 - change); stiffness: k'/k = 1 + change; cue: C of a lump"));
   visit("protocol_id", row.protocol_id, column(text(200), "see protocol"));
   visit("protocol_version", row.protocol_version, column(number(0, kMaxCount), "see protocol"));
-  visit("state_json", row.state_json, column(text(kLongestText), "seed and outcomes so far: from here it goes on"));
-  visit("finished", row.finished, column(kAnyWord, "else it was interrupted, or goes on"));
+  visit("state_json", row.state_json, column(text(kLongestText), "seed and outcomes so far, from which it continues"));
+  visit("finished", row.finished, column(kAnyWord, "else it was interrupted, or is still running"));
   visit(
       "threshold", row.threshold,
       column(number(0, 1e6), "T: the change at which corrected answers are right half of the time (median); 0: none"));
@@ -188,9 +188,8 @@ void eachField(Visitor&& visit, R& row) {
         column(kForce, "mean while moving, N; 0: none, or recorded by version 1", "DEFAULT 0", 2));
   visit("palpate_force_n", row.palpate_force_n,
         column(kForce, "mean while staying, N; 0: none, or recorded by version 1", "DEFAULT 0", 2));
-  visit(
-      "lumps", row.lumps,
-      column(text(8000), "of a sitting with lumps: those hidden and those named (JSON); else empty", "DEFAULT ''", 4));
+  visit("lumps", row.lumps,
+        column(text(8000), "of a lump session: those hidden and those named (JSON); else empty", "DEFAULT ''", 4));
 }
 
 /// Without the trial that it belongs to.

@@ -73,7 +73,7 @@ class FieldsFromJson {
   /// Another member than its fields.
   void allowMember(const char* name) { used_ += object_.contains(name) ? 1 : 0; }
   void refuseOthers() const {
-    if (used_ != object_.size()) throw Error(fmt::format("{}: has members that are not known", kind_));
+    if (used_ != object_.size()) throw Error(fmt::format("{}: has unknown members", kind_));
   }
 
  private:

@@ -187,7 +187,7 @@ void insertVisits(Sql& sql, const TrialRow& trial) {
 template <class R>
 bool storeRow(Sql& sql, const R& row, RowTables::Update update) {
   if constexpr (std::same_as<R, DeletionRow>) {
-    throw Error("a deletion is not a row to keep");
+    throw Error("a deletion cannot be stored as a row");
   } else {
     checkRow(kindOf(AnyRow(row)), row);
     if constexpr (std::same_as<R, TraineeRow>) {

@@ -216,10 +216,9 @@ int readSchemaVersion(Sql& sql) {
     throw;
   } catch (const Error& error) {
     if (sql.dialect() == Dialect::sqlite) throw;
-    throw Error(
-        fmt::format("the records cannot be read by this role of the database: {}; its owner grants it "
-                    "(docs/howto/class.md, roles)",
-                    error.cause()));
+    throw Error(fmt::format(
+        "this database role cannot read the records: {}; its owner can grant it (docs/howto/class.md, roles)",
+        error.cause()));
   }
 }
 

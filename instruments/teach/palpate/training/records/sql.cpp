@@ -8,9 +8,9 @@ namespace palpate::training {
 
 std::int64_t Sql::number(std::string_view sql, const SqlValues& values) {
   const std::vector<SqlValues> rows = ask(sql, values);
-  if (rows.empty() || rows.front().empty()) throw Error(fmt::format("no answer to: {}", sql));
+  if (rows.empty() || rows.front().empty()) throw Error(fmt::format("the database did not answer: {}", sql));
   const auto* value = std::get_if<std::int64_t>(&rows.front().front());
-  if (value == nullptr) throw Error(fmt::format("the database gave no number for: {}", sql));
+  if (value == nullptr) throw Error(fmt::format("the database returned no number for: {}", sql));
   return *value;
 }
 

@@ -99,7 +99,7 @@ void settle(SqliteSql& sql, const fs::path& file, Store::Open how) {
     throw Error::inFile(file.string(),
                         version > kSchemaVersion
                             ? "was written by a newer palpate"
-                            : "was written by an older palpate; `palpate train results list` brings it forward");
+                            : "was written by an older palpate; `palpate train results list` upgrades it");
   }
   // Rows are on the disk when `save` returns: every commit waits for it. Deleted data is overwritten.
   sql.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL; PRAGMA secure_delete = ON");
@@ -303,7 +303,7 @@ std::filesystem::path defaultRecords() {
   if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
     return std::filesystem::path(home) / ".local/share" / name;
   }
-  throw Error("neither XDG_DATA_HOME nor HOME says where records are kept; name a file");
+  throw Error("no folder for records: set XDG_DATA_HOME or HOME, or name a file");
 }
 
 }  // namespace palpate::training

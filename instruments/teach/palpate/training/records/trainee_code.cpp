@@ -121,7 +121,7 @@ Uuid makeUuidV7(std::int64_t unix_ms, const std::array<std::uint64_t, 2>& random
 std::array<std::uint64_t, 2> systemRandom() {
   std::array<std::uint64_t, 2> bits{};
   if (!system::fillWithRandom({reinterpret_cast<unsigned char*>(bits.data()), sizeof bits}))
-    throw Error("the system's random number generator is unavailable");
+    throw Error("the system provides no random numbers");
   return bits;
 }
 

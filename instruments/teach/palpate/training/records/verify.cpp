@@ -92,7 +92,7 @@ class RecordsCheck {
 
   void checkSession(const SessionRow& session) {
     ++found_.sessions;
-    if (session.end_ms == 0) note("session {} has no end: it goes on, or was cut off", session.id);
+    if (session.end_ms == 0) note("session {} has no end: it is still running, or was cut off", session.id);
     if (session.end_ms != 0 && session.end_ms < session.start_ms) fault("session {} ends before it begins", session.id);
     checkFile(session);
     int number = 0;

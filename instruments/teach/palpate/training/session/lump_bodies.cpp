@@ -87,7 +87,7 @@ std::vector<Vec2> placesWithRoom(const scene::World& world, const lumps::LumpTas
 
 scene::Scene withoutAny(const scene::Scene& base, const Protocol& protocol) {
   if (!protocol.lump) {
-    throw Error(fmt::format("protocol {}: it has no table [lump], which a sitting with lumps needs", protocol.id));
+    throw Error(fmt::format("protocol {}: a lump session needs a table [lump]", protocol.id));
   }
   return lumpScene(base, *protocol.lump, {});
 }
@@ -118,9 +118,9 @@ LumpBodies::LumpBodies(const std::shared_ptr<const scene::World>& body, const Pr
       task_(*protocol.lump),
       places_(placesWithRoom(*plain_, task_, sites)) {
   if (places_.empty()) {
-    throw Error(fmt::format(
-        "protocol {}: lumps of {:g} mm whose tops are {:g} mm deep have no room between the skin and the bones here",
-        protocol.id, task_.diameters_mm.back(), task_.depths_mm.back()));
+    throw Error(
+        fmt::format("protocol {}: lumps of {:g} mm with tops {:g} mm deep do not fit between the skin and bones here",
+                    protocol.id, task_.diameters_mm.back(), task_.depths_mm.back()));
   }
 }
 

@@ -39,8 +39,8 @@ std::string lumpQuestionText(LumpQuestion question, bool exam, std::size_t named
       return tr("Is there a lump?");
     case LumpQuestion::place:
       if (!exam) return tr("Where is it? Point at the place.");
-      return named == 0 ? tr("Point at a lump, or say that there is none.")
-                        : tr("Point at another lump, or say that there is no more.");
+      return named == 0 ? tr("Point at a lump, or say there is none.")
+                        : tr("Point at another lump, or say there are no more.");
     case LumpQuestion::size:
       return tr("How large is it?");
     case LumpQuestion::depth:

@@ -69,7 +69,7 @@ scene::Scene trialScene(const scene::Scene& base, const Protocol& protocol, Sess
   if (!settings.natural_stiffness && !hidesLumps(kind)) makeEven(scene, protocol.base_n_per_mm);
   if (!hidden) return scene;
   const Site* site = sites.numbered(hidden->site);
-  if (site == nullptr) throw Error("trial: there is no site " + std::to_string(hidden->site));
+  if (site == nullptr) throw Error("trial: unknown site " + std::to_string(hidden->site));
   scene.dysfunctions.push_back(dysfunctionAt(*site, protocol.hidden, hidden->change, settings.block.meaning));
   return scene;
 }

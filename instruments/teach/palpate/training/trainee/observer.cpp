@@ -63,7 +63,8 @@ std::vector<std::pair<std::string_view, std::string_view>> parsePairs(std::strin
   for (const std::string_view pair : split(words, ',')) {
     const std::size_t equals = pair.find('=');
     if (equals == std::string_view::npos) {
-      throw Error(fmt::format("trainee: '{}' has no value; as in weber=0.2,lapse=0.02", oneLine(pair)));
+      throw Error(
+          fmt::format("trainee: '{}' has no value; expected pairs such as weber=0.2,lapse=0.02", oneLine(pair)));
     }
     pairs.emplace_back(trimmed(pair.substr(0, equals)), trimmed(pair.substr(equals + 1)));
   }

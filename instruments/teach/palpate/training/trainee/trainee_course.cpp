@@ -106,7 +106,7 @@ SiteSet sitesOn(const scene::World& body, const Protocol& protocol) {
 namespace {
 
 SessionOutcome runLumpSession(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
-  if (!bench.body) throw Error("trainee: a sitting with lumps is felt on a body");
+  if (!bench.body) throw Error("trainee: a lump session needs a body; leave out --fast");
   const SessionPlan plan = makeSessionPlan(store, bench, requested);
   LumpSessionPlan of_lumps;
   of_lumps.protocol = bench.protocol;

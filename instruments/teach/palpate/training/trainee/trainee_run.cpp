@@ -124,7 +124,7 @@ void TraineeRun::checkDevice() {
     touching_.press(session_.plan().sites.sites.front(), meant, each_tick_);
     session_.next(now());
   }
-  if (session_.screen() == Screen::device_check) throw Error("trainee: no press was felt by the device check");
+  if (session_.screen() == Screen::device_check) throw Error("trainee: the device check felt no press");
 }
 
 /// Familiarisation: each of the two, then on, or the one that gave way less.
