@@ -146,7 +146,7 @@ std::optional<Vec2> placeFrom(const std::string& text) {
   const bool two_numbers = std::count(text.begin(), text.end(), ',') == 1 && text.find(' ') == std::string::npos;
   if (two_numbers || meansNumbers(text)) {
     const auto numbers = numbersFrom("--at", text, between(-kFarthestMm, kFarthestMm, "mm"));
-    if (numbers.size() < 2 || numbers.size() > 3) throw UsageError("--at", "takes X,Y or a place such as 'T6'");
+    if (numbers.size() < 2 || numbers.size() > 3) throw UsageError("--at", "expected X,Y or a place such as 'T6'");
     return Vec2(numbers[0], numbers[1]);
   }
   const BodyPlace place = bodyPlaceFrom("--at", text);
@@ -164,7 +164,7 @@ void check(const DotsArguments& arguments) {
     return;
   }
   if (arguments.input.size() == 2) return;
-  throw UsageError("measure dots", "takes two photographs, before and after, or one table of dots (.csv)");
+  throw UsageError("measure dots", "expected two photographs, before and after, or one table of dots (.csv)");
 }
 
 measure::MeasureSettings settingsOf(const DotsArguments& arguments) {
@@ -254,12 +254,12 @@ void run(const DotsArguments& arguments) {
 
 void addMeasureOptions(Command& command, DotsArguments& a) {
   addSetting(command, "--spacing-mm", a.settings.spacing_mm, between(5.0, 100.0, "mm"),
-             "Of the stencil: from dot to dot; nothing in the pictures says it");
-  command.add_option("--null", a.again, "A second picture before the press: how far the body moves by itself");
+             "Spacing of the stencil, from dot to dot; the pictures do not show it");
+  command.add_option("--null", a.again, "Second picture before the press, to measure how far the body moves by itself");
   addNumber(command, "--drift-mm", a.drift_mm, between(0.01, 20.0, "mm"),
             "How far the body may have moved between the pictures (sd) (default: 0.4, or what --null found)");
   addNumber(command, "--contact", a.contact, between(-1e5, 1e5, "px"),
-            "X,Y: the marked contact in the first picture, from its top left pixel")
+            "Marked contact in the first picture, X,Y from its top left pixel")
       ->delimiter(',')
       ->expected(2)
       ->allow_extra_args(false);
@@ -268,19 +268,21 @@ void addMeasureOptions(Command& command, DotsArguments& a) {
                                  {"left", HeadTowards::left},
                                  {"bottom", HeadTowards::bottom},
                                  {"right", HeadTowards::right}},
-            "Edge of the pictures that is towards the head");
-  command.add_flag("--partial", a.settings.partial, "Accept an ellipse that leaves the dots, with its uncertainty");
+            "Edge of the pictures towards the head");
+  command.add_flag("--partial", a.settings.partial,
+                   "Accept an ellipse that extends beyond the dots, with its uncertainty");
 }
 
 void addOutputOptions(Command& command, DotsArguments& a) {
-  command.add_option("--name", a.name, "Of the key point; no person's name")->capture_default_str();
+  command.add_option("--name", a.name, "Name of the key point; not the name of a person")->capture_default_str();
   command.add_option("--at", a.at,
-                     "Where the contact lies on the body: X,Y in mm (seen along z), or a place such as 'T6'");
+                     "Position of the contact on the body: X,Y in mm (seen along z), or a place such as 'T6'");
   command.add_option("-o,--out", a.output,
                      "Folder for key_points.csv, measurement.json, overlay.png and dots.csv; or one file: .csv (key "
-                     "points), .json, .png, .svg (overlay). Left out: only printed");
-  command.add_option("--overlay", a.overlay, "Where the overlay goes: .png, .svg (default: as --out says)");
-  addSetting(command, "--overlay-width", a.overlay_width_px, between(600.0, 8000.0, "px"), "Of the overlay as PNG");
+                     "points), .json, .png, .svg (overlay) (default: only print)");
+  command.add_option("--overlay", a.overlay, "Overlay to write: .png or .svg (default: as --out says)");
+  addSetting(command, "--overlay-width", a.overlay_width_px, between(600.0, 8000.0, "px"),
+             "Width of the overlay as PNG");
   command.add_flag("--overwrite", a.overwrite, "Replace an earlier measurement in the folder");
   command.add_flag("--json", a.json, "Print everything as one JSON object");
 }
@@ -288,9 +290,10 @@ void addOutputOptions(Command& command, DotsArguments& a) {
 }  // namespace
 
 void addMeasureDotsCommand(Command& parent) {
-  const auto [command, arguments] = addCommand(
-      parent, "dots",
-      "The key ellipse of one press, from photographs of dots before and after; 1: refused, with the reason", run);
+  const auto [command, arguments] = addCommand(parent, "dots",
+                                               "Measure the key ellipse of one press from photographs of dots before "
+                                               "and after; exit code 1: refused, with the reason",
+                                               run);
   command
       .add_option("input", arguments.input,
                   "Photographs BEFORE and AFTER (JPEG, PNG, TIFF), or one table of dots (.csv: "

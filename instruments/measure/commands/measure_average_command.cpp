@@ -138,7 +138,7 @@ measure::AverageSettings settingsOf(const MeasureAverageArguments& arguments) {
   for (const std::string& mirror : arguments.mirrors) {
     const auto parts = split(mirror, ':');
     if (parts.size() != 2 || parts[0].empty() || parts[1].empty()) {
-      throw Error("--mirror: '" + oneLine(mirror) + "' is not FROM:TO, such as P4:P6");
+      throw Error("--mirror: '" + oneLine(mirror) + "' must be FROM:TO, such as P4:P6");
     }
     settings.mirrors.emplace_back(parts[0], parts[1]);
   }
@@ -255,17 +255,16 @@ std::string faultOfDrag(const std::string& words) {
 void addMeasureAverageCommand(Command& parent) {
   const auto [command, a] =
       addCommand(parent, "average", "Average presses over drags and people into key points", runMeasureAverage);
-  command.add_option("rows", a.files, "Tables of presses (docs/howto/measure-a-person.md); several: one a person")
-      ->required();
+  command.add_option("rows", a.files, "Tables of presses (docs/howto/measure-a-person.md), one per person")->required();
   addChoice(command, "--mean", a.settings.averaging,
             Choices<maps::Averaging>{{"tensorial", maps::Averaging::tensorial}, {"plain", maps::Averaging::plain}},
-            "Of the ellipses as tensors, or of the numbers and rounded as the dissertation prints them");
+            "Average the ellipses as tensors, or the numbers, rounded as the dissertation prints them");
   addChoice(command, "--by", a.by_drag, Choices<bool>{{"point", false}, {"point,drag", true}},
-            "A row of the table for each point, or for each way of pulling there");
-  command.add_option("--drag", a.drag, "Only presses pulled this way: up, down, left, right, or degrees from +x")
+            "Write one row per point, or one per drag direction there");
+  command.add_option("--drag", a.drag, "Use only presses dragged this way: up, down, left, right, or degrees from +x")
       ->check(faultOfDrag)
       ->type_name("up|down|left|right|DEG");
-  command.add_option("--mirror", a.mirrors, "Points on the other side that nobody measured: P4:P6,P5:P7")
+  command.add_option("--mirror", a.mirrors, "Unmeasured points to mirror from the other side: P4:P6,P5:P7")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("FROM:TO");

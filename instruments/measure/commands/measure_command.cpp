@@ -32,7 +32,8 @@ ModeMaker addMeasuringMode(Command& command) {
 }  // namespace
 
 void addMeasureCommand(Command& app) {
-  Command& measure = *app.add_subcommand("measure", "Key ellipses of a person from photographs of dots on the skin");
+  Command& measure =
+      *app.add_subcommand("measure", "Measure key ellipses of a person from photographs of dots on the skin");
   measure.require_subcommand(1);
   addMeasureDotsCommand(measure);
   addMeasureStiffnessCommand(measure);

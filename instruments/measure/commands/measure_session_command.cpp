@@ -82,7 +82,7 @@ std::vector<measure::ProtocolPoint> parsePoints(const std::vector<std::string>& 
   for (const std::string& word : words) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos) {
-      throw UsageError("--points", "'" + oneLine(word) + "' is not NAME=PLACE, such as P1=T5");
+      throw UsageError("--points", "'" + oneLine(word) + "' must be NAME=PLACE, such as P1=T5");
     }
     const std::string place = word.substr(equals + 1);
     points.push_back({word.substr(0, equals), place, placeOfPoint(place, world)});
@@ -99,7 +99,7 @@ void runInit(const MeasureSessionArguments& arguments) {
   protocol.points = parsePoints(arguments.points);
   for (const std::string& word : arguments.drags) {
     const auto degrees = measure::dragNamed(word);
-    if (!degrees) throw UsageError("--drags", "'" + oneLine(word) + "' is none of up, down, left, right");
+    if (!degrees) throw UsageError("--drags", "'" + oneLine(word) + "' must be up, down, left or right");
     protocol.drags.push_back({word, *degrees});
   }
   const FinishesInOrder in_order;
@@ -240,22 +240,24 @@ void runWalk(const MeasureSessionArguments& arguments) {
 }
 
 void addInitOptions(Command& command, MeasureSessionArguments& a) {
-  Option* init = command.add_flag("--init", a.init, "Begin: protocol.toml, stencil and checklist of a new folder");
+  Option* init = command.add_flag("--init", a.init, "Begin a new folder: write protocol.toml, stencil and checklist");
   const auto of_init = [&](Option* option) { option->needs(init); };
-  of_init(command.add_option("--person", a.person, "A code with a digit, such as P07; never a name"));
+  of_init(command.add_option("--person", a.person, "Code of the person, with a digit, such as P07; never a name"));
   of_init(command
               .add_option("--points", a.points,
-                          "Where is measured, NAME=PLACE,...: P1=T5,P4=-100:5 (default: P1 to P5 of the dissertation)")
+                          "Points to measure, NAME=PLACE,...: P1=T5,P4=-100:5 (default: P1 to P5 of the dissertation)")
               ->delimiter(',')
               ->allow_extra_args(false)
               ->type_name("NAME=PLACE"));
-  of_init(command.add_option("--drags", a.drags, "Ways of pulling: up, down, left, right; two across each other")
+  of_init(command.add_option("--drags", a.drags, "Drag directions: up, down, left, right; two at right angles")
               ->delimiter(',')
               ->allow_extra_args(false)
               ->capture_default_str());
-  of_init(addSetting(command, "--presses", a.protocol.presses, between(1, 99), "Of each drag at each point"));
-  of_init(addSetting(command, "--enough", a.protocol.enough, between(1, 99), "Of them that must count"));
-  of_init(addSetting(command, "--spacing-mm", a.protocol.spacing_mm, between(5.0, 100.0, "mm"), "Of the stencil"));
+  of_init(addSetting(command, "--presses", a.protocol.presses, between(1, 99), "Presses of each drag at each point"));
+  of_init(addSetting(command, "--enough", a.protocol.enough, between(1, 99),
+                     "Presses that must count, of each drag at each point"));
+  of_init(
+      addSetting(command, "--spacing-mm", a.protocol.spacing_mm, between(5.0, 100.0, "mm"), "Spacing of the stencil"));
 }
 
 }  // namespace
@@ -264,14 +266,15 @@ void addMeasureSessionCommand(Command& parent) {
   const auto [command, a] = addCommand<MeasureSessionArguments>(
       parent, "session", "Walk a person's folder: measure what is new, and at the end write their map and scene",
       [](const MeasureSessionArguments& given) { given.init ? runInit(given) : runWalk(given); });
-  command.add_option("folder", a.folder, "With protocol.toml and the pictures (docs/howto/measure-a-person.md)")
+  command.add_option("folder", a.folder, "Folder with protocol.toml and the pictures (docs/howto/measure-a-person.md)")
       ->required();
   addInitOptions(command, a);
-  command.add_option("--accept", a.decisions.accept, "Presses that count although they were refused: P1_up_1,...")
+  command.add_option("--accept", a.decisions.accept, "Presses to count although they were refused: P1_up_1,...")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("PRESS");
-  command.add_option("--repeat", a.decisions.repeat, "Presses that do not count until their pictures are new")
+  command
+      .add_option("--repeat", a.decisions.repeat, "Presses to repeat: they do not count until they have new pictures")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("PRESS");

@@ -24,7 +24,7 @@ struct MeasureStencilArguments {
 
 void runMeasureStencil(const MeasureStencilArguments& arguments) {
   const std::filesystem::path file = arguments.output;
-  if (file.extension() != ".svg") throw Error::inFile(arguments.output, "a stencil is written as .svg");
+  if (file.extension() != ".svg") throw Error::inFile(arguments.output, "a stencil's name must end in .svg");
   for (const measure::StencilSheet& sheet : stencilSheets(arguments.settings)) {
     std::filesystem::path of_sheet = file;
     if (!sheet.name.empty()) of_sheet.replace_filename(file.stem().string() + "-" + sheet.name + ".svg");
@@ -40,18 +40,18 @@ void addMeasureStencilCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "stencil", "Draw the sheet to punch for the dots, at true size", runMeasureStencil);
   measure::StencilSettings& s = arguments.settings;
-  addSetting(command, "--spacing-mm", s.spacing_mm, between(5.0, 100.0, "mm"), "Between neighbouring dots");
+  addSetting(command, "--spacing-mm", s.spacing_mm, between(5.0, 100.0, "mm"), "Spacing of neighbouring dots");
   addSetting(command, "--columns", s.columns, between(2, 60), "Dots across");
   addSetting(command, "--rows", s.rows, between(2, 60), "Dots along the spine");
-  addSetting(command, "--hole-mm", s.hole_mm, between(1.0, 50.0, "mm"), "Across a hole; at most half the spacing");
+  addSetting(command, "--hole-mm", s.hole_mm, between(1.0, 50.0, "mm"), "Diameter of a hole; at most half the spacing");
   addChoice(command, "--page", s.page,
             Choices<StencilPage>{{"auto", StencilPage::fitting},
                                  {"a4", StencilPage::a4},
                                  {"a3", StencilPage::a3},
                                  {"a2", StencilPage::a2},
                                  {"tiled-a4", StencilPage::tiled_a4}},
-            "Paper; tiled-a4: a file a sheet, to be glued");
-  command.add_flag("--scale-target", s.scale_target, "With a ruler of 100 mm to tape onto the skin");
+            "Paper size; tiled-a4: one file per sheet, to glue together");
+  command.add_flag("--scale-target", s.scale_target, "Add a ruler of 100 mm to tape onto the skin");
   namesFileToWrite(command.add_option("-o,--out", arguments.output, "Drawing to write: .svg"))->required();
 }
 

@@ -198,16 +198,16 @@ void runMeasureStiffness(const MeasureStiffnessArguments& arguments) {
 
 void addMeasureStiffnessCommand(Command& parent) {
   const auto [command, a] =
-      addCommand(parent, "stiffness", "Find how stiff places are from force by depth", runMeasureStiffness);
-  command.add_option("forces", a.file, "Table place,x_mm,y_mm,depth_mm,force_n and, wanted or not, subject, press")
+      addCommand(parent, "stiffness", "Find the stiffness of places from force by depth", runMeasureStiffness);
+  command.add_option("forces", a.file, "Table place,x_mm,y_mm,depth_mm,force_n and, optionally, subject, press")
       ->required();
   addChoice(command, "--form", a.form,
             Choices<std::optional<ForceForm>>{{"best", std::nullopt},
                                               {"linear", ForceForm::linear},
                                               {"power", ForceForm::power},
                                               {"stiffening", ForceForm::stiffening}},
-            "Of every place; best: what foretells unseen rows best");
-  command.add_option("--keys", a.keys, "Key points that get the stiffness of the place of their name");
+            "Form of the law of every place; best: the form that predicts unseen rows best");
+  command.add_option("--keys", a.keys, "Key points to give the stiffness of the place with their name");
   namesFileToWrite(
       command.add_option("-o,--out", a.output, "Table of key points to write, as scenes and palpate body map read it"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");

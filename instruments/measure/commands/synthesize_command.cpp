@@ -95,7 +95,7 @@ void changeMarks(const SynthesizeArguments& arguments, measure::DotMarks& marks)
 }
 
 SyntheticCase wanted(const SynthesizeArguments& arguments) {
-  if (arguments.contact_mm.size() == 1) throw UsageError("--contact-mm", "takes two numbers, x,y");
+  if (arguments.contact_mm.size() == 1) throw UsageError("--contact-mm", "expected two numbers, x,y");
   SyntheticCase made =
       measure::drawCase(static_cast<std::uint64_t>(arguments.seed),
                         {.megapixels = arguments.megapixels, .family = arguments.tail, .drift_mm = arguments.drift_mm});
@@ -148,21 +148,22 @@ void addPressOptions(Command& command, SynthesizeArguments& arguments) {
   restrictTo(choiceNames(tails()),
              command.add_option_function(
                  "--tail", choose,
-                 "How the motion falls off: the half Gaussian, a long tail, an elastic half space, or one that ends"));
+                 "Fall-off of the motion: the half Gaussian, a long tail, an elastic half space, or one that ends"));
   addNumber(command, "--half-major-mm", arguments.half_major_mm, between(20.0, 300.0, "mm"),
-            "Half major axis of the ellipse of 2 mm; of a half space: how far it reaches along the drag");
+            "Half major axis of the ellipse of 2 mm; for a half space, its reach along the drag");
   addNumber(command, "--ratio", arguments.ratio, between(1.0, 4.0), "Major over minor axis");
   addNumber(command, "--direction-deg", arguments.direction_deg, between(-180.0, 180.0, "degrees"),
-            "Of the major axis, from the right towards the head");
+            "Direction of the major axis, from the right towards the head");
   addNumber(command, "--drag-deg", arguments.drag_deg, between(-180.0, 180.0, "degrees"),
-            "Where the stick drags to, from the right towards the head");
+            "Direction of the drag, from the right towards the head");
   addNumber(command, "--peak-mm", arguments.peak_mm, between(0.0, 40.0, "mm"),
             "Motion of the skin under the stick; 0: nothing is pressed");
-  addNumber(command, "--tail-power", arguments.tail_power, between(0.5, 5.0), "P of a long tail; less is longer");
+  addNumber(command, "--tail-power", arguments.tail_power, between(0.5, 5.0),
+            "P of a long tail; a smaller P makes it longer");
   addNumber(command, "--asymmetry-percent", arguments.asymmetry_percent, between(-50.0, 50.0, "%"),
-            "How much more the skin moves behind the stick than before it");
+            "How much more the skin moves behind the stick than in front of it");
   addNumber(command, "--contact-mm", arguments.contact_mm, between(-200.0, 200.0, "mm"),
-            "Place of the stick on the skin, x,y from the middle of the back")
+            "Position of the stick on the skin, x,y from the middle of the back")
       ->delimiter(',')
       ->expected(2)
       ->allow_extra_args(false);
@@ -170,34 +171,36 @@ void addPressOptions(Command& command, SynthesizeArguments& arguments) {
 
 void addPictureOptions(Command& command, SynthesizeArguments& arguments) {
   addSetting(command, "--drift-mm", arguments.drift_mm, between(0.0, 20.0, "mm"),
-             "How far the body moves between the pictures, sd: 0.3 with the breath held, 1.5 breathing");
+             "Motion of the body between the pictures (sd): 0.3 with the breath held, 1.5 breathing");
   addNumber(command, "--tilt-deg", arguments.tilt_deg, between(0.0, 45.0, "degrees"),
-            "Of the camera against the upright over the back");
+            "Tilt of the camera from the vertical over the back");
   addNumber(command, "--roll-deg", arguments.roll_deg, between(-180.0, 180.0, "degrees"),
-            "Of the camera about its line of sight");
-  addNumber(command, "--blur-px", arguments.blur_px, between(0.0, 30.0, "px"), "Blur of the pictures, sd");
-  addNumber(command, "--jitter-mm", arguments.jitter_mm, between(0.0, 10.0, "mm"), "How far marks are off, sd");
-  addNumber(command, "--columns", arguments.columns, between(1, 30), "Columns of dots; the grid is then in the middle");
+            "Roll of the camera about its line of sight");
+  addNumber(command, "--blur-px", arguments.blur_px, between(0.0, 30.0, "px"), "Blur of the pictures (sd)");
+  addNumber(command, "--jitter-mm", arguments.jitter_mm, between(0.0, 10.0, "mm"),
+            "Displacement of marks at random (sd)");
+  addNumber(command, "--columns", arguments.columns, between(1, 30), "Columns of dots; centres the grid");
   addNumber(command, "--rows", arguments.rows, between(1, 30), "Rows of dots");
-  addNumber(command, "--missing", arguments.missing, between(0, 400), "Dots that are not there");
-  addNumber(command, "--strays", arguments.strays, between(0, 200), "Other marks of the same ink");
+  addNumber(command, "--missing", arguments.missing, between(0, 400), "Number of missing dots");
+  addNumber(command, "--strays", arguments.strays, between(0, 200), "Number of stray marks in the same ink");
 }
 
 }  // namespace
 
 void addMeasureSynthesizeCommand(Command& parent) {
-  const auto [command, arguments] = addCommand(
-      parent, "synthesize",
-      "Paint photographs of a dotted back before and after a press (before.jpg, before2.jpg, after.jpg) with the truth "
-      "beside them (truth.json); what is not asked for is drawn from the seed",
-      runSynthesize);
-  namesFolderToWrite(command.add_option("-o,--out", arguments.folder, "Folder to write into; made when missing"))
+  const auto [command, arguments] =
+      addCommand(parent, "synthesize",
+                 "Paint photographs of a dotted back before and after a press (before.jpg, before2.jpg, after.jpg) and "
+                 "write the truth (truth.json); options not given are drawn from the seed",
+                 runSynthesize);
+  namesFolderToWrite(command.add_option("-o,--out", arguments.folder, "Folder to write to, created if missing"))
       ->required();
-  addSetting(command, "--seed", arguments.seed, between(0, 1e15), "Another body, grid, press, camera for each");
-  addSetting(command, "--megapixels", arguments.megapixels, between(0.5, 48.0), "Size of the pictures, 3 to 4");
+  addSetting(command, "--seed", arguments.seed, between(0, 1e15), "Seed of the body, grid, press and camera");
+  addSetting(command, "--megapixels", arguments.megapixels, between(0.5, 48.0),
+             "Size of the pictures, with sides 3 to 4");
   addPressOptions(command, arguments);
   addPictureOptions(command, arguments);
-  command.add_flag("--json", arguments.json, "Print the files and the truth, without its dots, as one JSON object");
+  command.add_flag("--json", arguments.json, "Print the files and the truth, without the dots, as one JSON object");
 }
 
 }  // namespace palpate::app

@@ -298,7 +298,7 @@ std::vector<DrawnText> collectDrawnTexts(const OverlayPage& page) {
 void writeOverlay(const OverlayPage& page, const std::filesystem::path& file, double scale) {
   const std::string extension = file.extension().string();
   if (extension != ".png" && extension != ".svg")
-    throw Error::inFile(file.string(), "an overlay is written as .png, .svg");
+    throw Error::inFile(file.string(), "an overlay's name must end in .png or .svg");
   writeFile(file, extension == ".svg" ? overlaySvg(page) : overlayPng(page, scale));
 }
 

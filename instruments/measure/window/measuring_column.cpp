@@ -23,9 +23,9 @@ constexpr std::array<std::string_view, 4> kHeadNames = {toTranslate("top"), toTr
 
 void photoRow(MeasuringView& view, Photo which) {
   const bool before = which == Photo::before;
-  if (buttonWidget(
-          before ? "measuring/open_before" : "measuring/open_after", before ? "Before ..." : "After ...",
-          before ? "The photograph of the dots while nothing presses." : "The one while the stick drags the skin.")) {
+  if (buttonWidget(before ? "measuring/open_before" : "measuring/open_after", before ? "Before ..." : "After ...",
+                   before ? "Photograph of the dots with nothing pressing."
+                          : "Photograph taken while the stick drags the skin.")) {
     view.dialog = which;
   }
   const float words = std::max(ImGui::CalcTextSize(tr("Before ...")).x, ImGui::CalcTextSize(tr("After ...")).x);
@@ -43,7 +43,7 @@ void pairRow(const PhotoPair& pair, MeasuringRequests& requests) {
   ImGui::PushTextWrapPos(0.0f);
   remark(trf("In this folder: {} and {}", name(pair.before), name(pair.after)));
   ImGui::PopTextWrapPos();
-  if (!buttonWidget("measuring/here", "Take both", "The photograph before and the one after of the same name.")) return;
+  if (!buttonWidget("measuring/here", "Use both", "Open the photographs before and after with the same name.")) return;
   requests.emplace_back(ShowPhoto{Photo::before, pair.before});
   requests.emplace_back(ShowPhoto{Photo::after, pair.after});
 }
@@ -54,7 +54,8 @@ void photoRows(MeasuringView& view, MeasuringRequests& requests) {
   if (none && view.pair_here) pairRow(*view.pair_here, requests);
   photoRow(view, Photo::before);
   photoRow(view, Photo::after);
-  if (view.hasPair() && buttonWidget("measuring/swap", "Swap them", "They were named the wrong way round.")) {
+  if (view.hasPair() &&
+      buttonWidget("measuring/swap", "Swap them", "Swap the photographs if they are the wrong way round.")) {
     requests.emplace_back(SwapPhotos{});
   }
 }
@@ -73,15 +74,16 @@ const char* toolHint(const MeasuringView& view) {
 void hintRows(MeasuringView& view) {
   remark(toolHint(view));
   if (view.settings.contact_px &&
-      buttonWidget("measuring/no_contact", "Forget the contact", "The fitted contact is then compared with nothing.")) {
+      buttonWidget("measuring/no_contact", "Forget the contact", "The fitted contact is then not compared.")) {
     setContact(view, std::nullopt);
   }
 }
 
 void settingRows(MeasuringView& view) {
   measure::MeasureSettings& settings = view.settings;
-  bool changed = numberWidget(settings.spacing_mm, {"measuring/spacing", "mm spacing", "%.1f", 5.0, 100.0, 30.0,
-                                                    "From dot to dot on the stencil. All sizes follow from it."});
+  bool changed =
+      numberWidget(settings.spacing_mm, {"measuring/spacing", "mm spacing", "%.1f", 5.0, 100.0, 30.0,
+                                         "Distance from dot to dot on the stencil. All sizes follow from it."});
   changed |= numberWidget(settings.drift_mm, {"measuring/drift", "mm drift", "%.2f", 0.01, 20.0, 0.4,
                                               "How far the body may have moved between the photographs."});
   auto head = static_cast<std::size_t>(settings.head);
@@ -90,8 +92,8 @@ void settingRows(MeasuringView& view) {
     settings.head = static_cast<measure::HeadTowards>(head);
     changed = true;
   }
-  changed |= flagWidget("measuring/partial", kPartialBox, settings.partial,
-                        "An ellipse that is larger than the dots is not refused for that.");
+  changed |=
+      flagWidget("measuring/partial", kPartialBox, settings.partial, "Accept an ellipse that is larger than the dots.");
   if (changed) settingsChanged(view);
 }
 
@@ -136,7 +138,7 @@ void acceptRows(MeasuringView& view, MeasuringRequests& requests) {
   flagWidget("measuring/use", "the skin here follows it", form.use_in_scene,
              "The scene takes the table as its key points ([ellipses] key_points).");
   const std::string obstacle = obstacleToAccept(view);
-  if (buttonWidget("measuring/accept", "Accept", "Adds a row to the table (Enter).")) {
+  if (buttonWidget("measuring/accept", "Accept", "Add a row to the table (Enter).")) {
     requests.emplace_back(AcceptMeasurement{});
   }
   if (!obstacle.empty() && view.measured) remark(obstacle);
@@ -145,7 +147,8 @@ void acceptRows(MeasuringView& view, MeasuringRequests& requests) {
 }  // namespace
 
 void measuringColumn(MeasuringView& view, MeasuringRequests& requests) {
-  if (buttonWidget("measuring/close", "Back to the body", "Esc; nothing is lost, it can be opened again.")) {
+  if (buttonWidget("measuring/close", "Back to the body",
+                   "Return to the body (Esc); nothing is lost, you can open it again.")) {
     view.open = false;
   }
   photoRows(view, requests);

@@ -63,9 +63,9 @@ std::string doubts(const measure::Measurement& measured, const KeyTableFile& tab
       words += fmt::format("{}: {}\n", tr("Refused"), findingText(finding));
   }
   if (table.kind == KeyTableFile::Kind::other) {
-    words += trf("{} is not a table of key points and would be written over.", file.string()) + "\n";
+    words += trf("{} is not a table of key points and would be overwritten.", file.string()) + "\n";
   } else if (table.has(name)) {
-    words += trf("{} has a row \"{}\" already: it would be replaced.", file.string(), name) + "\n";
+    words += trf("{} already has a row \"{}\", which would be replaced.", file.string(), name) + "\n";
   }
   return words;
 }
@@ -241,9 +241,8 @@ MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
   const KeyTableFile table = readKeyTable(file);
   if (const std::string against = doubts(*view.measured, table, file, name); !sure && !against.empty()) {
     waiting_ = MeasuringRequest(AcceptMeasurement{.sure = true});
-    viewer.ask({.kind = Question::Kind::of_mode,
-                .words = against + tr("Accept all the same?"),
-                .answers = {"Accept", "Cancel"}});
+    viewer.ask(
+        {.kind = Question::Kind::of_mode, .words = against + tr("Accept anyway?"), .answers = {"Accept", "Cancel"}});
     return Accepting::asked;
   }
   try {

@@ -287,7 +287,7 @@ bool measuringKey(MeasuringView& view, window::Key key, const window::Modifiers&
 
 std::string obstacleToAccept(const MeasuringView& view) {
   if (!view.settled()) return tr("It is still being measured");
-  if (!view.measured || !view.measured->fit) return tr("There is no ellipse to accept");
+  if (!view.measured || !view.measured->fit) return tr("No ellipse to accept");
   if (!view.form.at_mm) return tr("Set the place on the body first");
   const std::string fault = measure::faultOfKeyName(acceptedName(view.form));
   if (!fault.empty()) return trf("The name {}", fault);

@@ -380,7 +380,7 @@ void addMirrors(Averages& averages) {
     const auto source = std::ranges::find(averages.points, from, &PointMean::name);
     if (source == averages.points.end()) throw Error(unknownName("point", from, "mirror", names));
     if (std::ranges::find(averages.points, to, &PointMean::name) != averages.points.end()) {
-      throw Error(fmt::format("the point {} is measured: it cannot be the mirror image of {}", oneLine(to), from));
+      throw Error(fmt::format("the point {} is measured, so it cannot be the mirror image of {}", oneLine(to), from));
     }
     PointMean other = mirrored(*source, to);  // a copy first: the list may move
     averages.points.push_back(std::move(other));

@@ -26,9 +26,9 @@ constexpr double kNewlyVisibleReach = 0.2;  // in spacings
 constexpr double kNeighbourReach = 1.5;     // in spacings: with diagonals
 
 void check(const MeasureSettings& settings) {
-  if (!(settings.spacing_mm >= 5.0 && settings.spacing_mm <= 100.0)) throw Error("spacing: 5 to 100 mm");
-  if (!(settings.drift_mm >= 0.01 && settings.drift_mm <= 20.0)) throw Error("drift: 0.01 to 20 mm");
-  if (settings.contact_px && !settings.contact_px->allFinite()) throw Error("contact: no finite place");
+  if (!(settings.spacing_mm >= 5.0 && settings.spacing_mm <= 100.0)) throw Error("spacing: must be 5 to 100 mm");
+  if (!(settings.drift_mm >= 0.01 && settings.drift_mm <= 20.0)) throw Error("drift: must be 0.01 to 20 mm");
+  if (settings.contact_px && !settings.contact_px->allFinite()) throw Error("contact: must be a finite place");
 }
 
 /// The pictures' millimetres: those of the middle of the dots.
@@ -285,9 +285,9 @@ void measureMarks(const DotPair& dots, Measurement& m, const Progress& progress)
 
 void requireSameSize(const Photograph& before, const Photograph& after) {
   if (before.width_px == after.width_px && before.height_px == after.height_px) return;
-  throw Error::inFile(
-      after.name, fmt::format("is {} x {} pixels, {} is {} x {}: both must be of one camera, not cut", after.width_px,
-                              after.height_px, before.name, before.width_px, before.height_px));
+  throw Error::inFile(after.name,
+                      fmt::format("is {} x {} pixels, {} is {} x {}; both must come from one camera, uncropped",
+                                  after.width_px, after.height_px, before.name, before.width_px, before.height_px));
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ class ForceColumns {
                          wanted.at_mm && (*curve.at_mm - *wanted.at_mm).norm() > kSamePlaceMm;
       if (apart) {
         throw Error::atLine(row.file, row.line,
-                            fmt::format("{} lies at {:g}, {:g} in an earlier row", oneLine(wanted.place),
-                                        curve.at_mm->x(), curve.at_mm->y()));
+                            fmt::format("{} is at {:g}, {:g} in an earlier row; expected the same place",
+                                        oneLine(wanted.place), curve.at_mm->x(), curve.at_mm->y()));
       }
     }
     const auto same = [&](const PlaceCurve& curve) {
@@ -103,7 +103,7 @@ std::vector<PlaceCurve> parsePlaceCurves(std::string_view text, std::string_view
       columns->add(row, curves);
     }
   });
-  if (curves.empty()) throw Error::inFile(file, "holds no row: a header and a row for each depth are needed");
+  if (curves.empty()) throw Error::inFile(file, "has no rows; expected a header and one row per depth");
   return curves;
 }
 

@@ -258,7 +258,7 @@ std::vector<maps::KeyPoint> withStiffness(const PlaceFits& fits, std::vector<map
     } else if (place.at_mm) {
       keys.push_back({place.place, *place.at_mm, {}, place.secant_n_per_mm.value});
     } else {
-      throw Error(fmt::format("where {} lies is not said: give x_mm and y_mm in its rows", place.place));
+      throw Error(fmt::format("{} has no position; give x_mm and y_mm in its rows", place.place));
     }
   }
   return keys;

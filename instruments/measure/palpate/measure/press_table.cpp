@@ -114,7 +114,7 @@ std::vector<PressRow> parsePresses(std::string_view text, std::string_view file)
       presses.push_back(columns->readPress(row));
     }
   });
-  if (presses.empty()) throw Error::inFile(file, "holds no press: a header and a row for each are needed");
+  if (presses.empty()) throw Error::inFile(file, "has no presses; expected a header and one row per press");
   return presses;
 }
 

@@ -39,7 +39,7 @@ struct SkinChart::Impl {
 };
 
 SkinChart::SkinChart(const DotGrid& grid, double spacing_mm, HeadTowards head) {
-  if (grid.dots.size() < kMinDots) throw Error("a chart of the skin needs at least 6 dots in order");
+  if (grid.dots.size() < kMinDots) throw Error("a chart of the skin needs at least 6 dots in the grid");
   std::vector<Vec2> knots;
   std::vector<Vec2> values;
   std::set<std::pair<int, int>> sites;

@@ -250,10 +250,10 @@ std::vector<StencilSheet> stencilSheets(const StencilSettings& settings) {
   const auto asked =
       settings.page == StencilPage::fitting ? smallest : std::ranges::find(kPapers, settings.page, &Paper::page);
   if (!fits(*asked)) {
-    throw Error(fmt::format(
-        "stencil: {} x {} holes need {:.0f} x {:.0f} mm, {} has {:g} x {:g}: take {} or fewer holes", settings.columns,
-        settings.rows, drawing.width_mm, drawing.height_mm, asked->name, asked->width_mm, asked->height_mm,
-        smallest == kPapers.end() ? "tiled-a4" : fmt::format("{}, tiled-a4", smallest->name)));
+    throw Error(fmt::format("stencil: {} x {} holes need {:.0f} x {:.0f} mm, {} has {:g} x {:g}; use {} or fewer holes",
+                            settings.columns, settings.rows, drawing.width_mm, drawing.height_mm, asked->name,
+                            asked->width_mm, asked->height_mm,
+                            smallest == kPapers.end() ? "tiled-a4" : fmt::format("{}, tiled-a4", smallest->name)));
   }
   const Vec2 paper(asked->width_mm, asked->height_mm);
   const Vec2 size(drawing.width_mm, drawing.height_mm);

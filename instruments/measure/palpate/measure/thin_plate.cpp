@@ -36,7 +36,8 @@ ThinPlate::ThinPlate(std::span<const Vec2> knots, std::span<const Vec2> values, 
   }
   const Eigen::PartialPivLU<Eigen::MatrixXd> solver(system);
   weights_ = solver.solve(right);
-  if (!weights_.allFinite() || !(solver.rcond() > 1e-14)) throw Error("the dots lie in one line");
+  if (!weights_.allFinite() || !(solver.rcond() > 1e-14))
+    throw Error("the dots are all in one line; they must cover an area");
 }
 
 Vec2 ThinPlate::at(const Vec2& place) const {

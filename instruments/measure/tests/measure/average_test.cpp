@@ -281,7 +281,7 @@ TEST(AveragePresses, AMirrorImageLiesOnTheOtherSideAndTurnsTheOtherWay) {
   EXPECT_EQ(support::thrownMessage([&] {
               averagePresses(presses, {.mirrors = {{"P4", "P4"}}});
             }),
-            "the point P4 is measured: it cannot be the mirror image of P4");
+            "the point P4 is measured, so it cannot be the mirror image of P4");
 }
 
 TEST(DragWords, WordsAndDegreesMeanTheSame) {
@@ -299,7 +299,7 @@ TEST(PressTable, NamesTheLineOfWhatItCannotRead) {
   const auto fault = [&](const std::string& text) {
     return support::thrownMessage([&] { parsePresses(text, "p.csv"); });
   };
-  EXPECT_EQ(fault(header), "p.csv: holds no press: a header and a row for each are needed");
+  EXPECT_EQ(fault(header), "p.csv: has no presses; expected a header and one row per press");
   EXPECT_EQ(fault("name,x_mm,y_mm,half_major_mm,direction_deg\n"),
             "p.csv:1: the header has no column major_over_minor");
   EXPECT_EQ(fault(header + "A,0,0,90,1.2\n"), "p.csv:2: found 5 fields; expected 7");

@@ -32,19 +32,19 @@ TEST(DotTable, ErrorsNameTheLineAndTheCause) {
             "dots.csv:1: expected the header picture,x_px,y_px[,area_px], found 'picture,x_px,y_px,colour'");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,2,3\n"),
             "dots.csv:2: expected the 3 fields of the header, found 4");
-  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nlater,1,2\n"), "dots.csv:2: picture 'later' is neither before nor after");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nlater,1,2\n"), "dots.csv:2: picture 'later' must be before or after");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,x\n"), "dots.csv:2: y_px is not a number: 'x'");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,nan\n"), "dots.csv:2: y_px must be finite, got nan");
   EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1e7,1\n"),
             "dots.csv:2: x_px = 10000000 is out of range: -100,000 to 100,000");
-  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,2\n"), "dots.csv: no dots of the picture after");
-  EXPECT_EQ(tableRefusal("picture,x_px,y_px\n"), "dots.csv: no dots of the picture before");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\nbefore,1,2\n"), "dots.csv: has no dots of the picture after");
+  EXPECT_EQ(tableRefusal("picture,x_px,y_px\n"), "dots.csv: has no dots of the picture before");
 }
 
 TEST(DotTable, TooManyDotsAreRefusedBeforeTheyAreOrdered) {
   std::string table = "picture,x_px,y_px\n";
   for (std::size_t i = 0; i <= kMaxTableMarks; ++i) table += "before,1,2\n";
-  EXPECT_EQ(tableRefusal(table), "dots.csv:20002: more than 20000 dots of one picture");
+  EXPECT_EQ(tableRefusal(table), "dots.csv:20002: too many dots for one picture; at most 20000");
 }
 
 TEST(DotTable, HoldsAllMarksOfAMeasurement) {

@@ -166,9 +166,9 @@ TEST_F(PersonFolder, WhatCannotBeDecidedIsSaid) {
   begin();
   putPress("P1_up_1", "blind");
   EXPECT_EQ(support::thrownMessage([&] { walk({.accept = {"P1_up_1"}}); }),
-            "P1_up_1 gave no ellipse that could be accepted: repeat it");
+            "P1_up_1 gave no ellipse that could be accepted; repeat it");
   EXPECT_EQ(support::thrownMessage([&] { walk({.accept = {"P4_up_1"}}); }),
-            "P4_up_1 was not measured: pictures are missing");
+            "P4_up_1 was not measured; its pictures are missing");
   EXPECT_EQ(support::thrownMessage([&] { walk({.repeat = {"P1_up_7"}}); }),
             "unknown press 'P1_up_7'; did you mean 'P1_up_1'?");
 }
@@ -220,7 +220,9 @@ TEST_F(PersonFolder, AnIncompleteWalkWritesNothing) {
   begin();
   putPress("P1_up_1");
   const PersonWalk walked = walk();
-  EXPECT_NE(support::thrownMessage([&] { writePerson(walked); }).find("is not complete"), std::string::npos);
+  EXPECT_NE(
+      support::thrownMessage([&] { writePerson(walked); }).find("is not complete; measure the missing presses first"),
+      std::string::npos);
   EXPECT_FALSE(fs::exists(folder_ / "person.csv"));
 }
 
@@ -244,9 +246,9 @@ TEST(PersonProtocol, NamesTheLineOfWhatItCannotRead) {
   EXPECT_EQ(fault(good + "spacing_mm = 3\n" + point), "p.toml:3: spacing_mm = 3 is out of range: 5 to 100");
   EXPECT_EQ(fault(good + "presses = 2.5\n" + point), "p.toml:3: presses must be a whole number");
   EXPECT_EQ(fault("person = \"P7\"\ndrags = [\"uphill\"]\n" + point),
-            "p.toml:2: 'uphill' is none of up, down, left, right");
-  EXPECT_EQ(fault(good), "p.toml: names no [[point]]");
-  EXPECT_EQ(fault(good + point + point), "p.toml: the point P1 stands twice");
+            "p.toml:2: 'uphill' must be up, down, left or right");
+  EXPECT_EQ(fault(good), "p.toml: has no [[point]]");
+  EXPECT_EQ(fault(good + point + point), "p.toml: the point P1 appears twice");
   EXPECT_EQ(fault(good + "enough = 4\n" + point), "p.toml: enough must not exceed presses");
   EXPECT_EQ(fault(good + point + "[[pictures]]\npress = \"P2_up_1\"\n"),
             "p.toml: unknown press 'P2_up_1' in [[pictures]]; did you mean 'P1_up_1'?");

@@ -207,7 +207,7 @@ TEST(Photograph, SixteenBitsAreReducedWithANote) {
 TEST(Photograph, OfSeveralPagesTheFirstIsTaken) {
   const Photograph picture = decodedPicture(tiffBytes({.has_second_page = true, .pixels = cardPixels()}));
   EXPECT_TRUE(showsQuarters(picture, kCard));
-  EXPECT_EQ(picture.notes, std::vector<std::string>{"several pages, of which the first is taken"});
+  EXPECT_EQ(picture.notes, std::vector<std::string>{"several pages, of which the first is used"});
 }
 
 TEST(Photograph, ACutOffFileIsRefusedWhereverItEnds) {
@@ -224,18 +224,18 @@ TEST(Photograph, ACutOffFileIsRefusedWhereverItEnds) {
             "it.jpg: is cut off: the end of the picture is missing; copy the file again");
   EXPECT_EQ(pictureRefusal(files[2].substr(0, files[2].size() / 2)),
             "it.jpg: is cut off: the end of the picture is missing; copy the file again");
-  EXPECT_EQ(pictureRefusal(tiff.substr(0, 5000)), "it.jpg: is cut off: a TIFF without its page; copy the file again");
+  EXPECT_EQ(pictureRefusal(tiff.substr(0, 5000)), "it.jpg: is cut off, a TIFF without its page; copy the file again");
   // Its page is whole, its pixels are not.
   EXPECT_EQ(pictureRefusal(tiffBytes({.pixels = cardPixels().substr(0, 5000)})),
-            "it.jpg: is cut off: a part of the picture is missing; copy the file again");
+            "it.jpg: is cut off, with part of the picture missing; copy the file again");
   EXPECT_EQ(pictureRefusal(tiffBytes({.further = {longTag(273, 100, false), longTag(279, 1U << 30, false)}})),
-            "it.jpg: is cut off: a part of the picture is missing; copy the file again");
+            "it.jpg: is cut off, with part of the picture missing; copy the file again");
 }
 
 TEST(Photograph, ADamagedFileIsRefused) {
   std::string png = coded(testCard(), ".png");
   png[png.size() / 2] = static_cast<char>(png[png.size() / 2] ^ 0x10);
-  EXPECT_EQ(pictureRefusal(png), "it.jpg: is damaged: a check sum is wrong; copy the file again");
+  EXPECT_EQ(pictureRefusal(png), "it.jpg: is damaged (wrong checksum); copy the file again");
   std::string jpeg = coded(testCard(), ".jpg");
   jpeg[2] = 'x';
   EXPECT_EQ(pictureRefusal(jpeg), "it.jpg: is not a JPEG, PNG or TIFF");
@@ -246,28 +246,28 @@ TEST(Photograph, ADamagedFileIsRefused) {
 
 TEST(Photograph, WhatMovesIsRefused) {
   EXPECT_EQ(pictureRefusal(withChunk(coded(testCard(), ".png"), "acTL", std::string(8, '\1'))),
-            "it.jpg: is animated (a PNG): save one picture of it as JPEG, PNG or TIFF");
+            "it.jpg: is an animated PNG; save one picture of it as JPEG, PNG or TIFF");
   EXPECT_EQ(pictureRefusal("GIF89a and so on \x21\xff\x0bNETSCAPE2.0 and so on"),
-            "it.jpg: is animated (a GIF): save one picture of it as JPEG, PNG or TIFF");
+            "it.jpg: is an animated GIF; save one picture of it as JPEG, PNG or TIFF");
   EXPECT_EQ(pictureRefusal("RIFF    WEBPVP8X    \x02"),
-            "it.jpg: is animated (a WebP): save one picture of it as JPEG, PNG or TIFF");
+            "it.jpg: is an animated WebP; save one picture of it as JPEG, PNG or TIFF");
 }
 
 TEST(Photograph, OtherFormatsAreNamed) {
   EXPECT_EQ(pictureRefusal(""), "it.jpg: is empty");
   EXPECT_EQ(pictureRefusal("name,x_mm,y_mm\nP1,0,0\n"),
-            "it.jpg: is text and no picture, whatever its name says: a JPEG, PNG or TIFF is needed");
-  EXPECT_EQ(pictureRefusal("RIFF    WEBPVP8 "), "it.jpg: is a WebP picture: save it as JPEG, PNG or TIFF");
-  EXPECT_EQ(pictureRefusal(std::string("BM\0\0\0\0", 6)), "it.jpg: is a BMP picture: save it as JPEG, PNG or TIFF");
+            "it.jpg: is text, not a picture, despite its name; expected a JPEG, PNG or TIFF");
+  EXPECT_EQ(pictureRefusal("RIFF    WEBPVP8 "), "it.jpg: is a WebP picture; save it as JPEG, PNG or TIFF");
+  EXPECT_EQ(pictureRefusal(std::string("BM\0\0\0\0", 6)), "it.jpg: is a BMP picture; save it as JPEG, PNG or TIFF");
   EXPECT_EQ(pictureRefusal(std::string("\0\0\0\x18", 4) + "ftypheic"),
-            "it.jpg: is a HEIC picture: save it as JPEG, PNG or TIFF (phones: camera format 'most compatible')");
+            "it.jpg: is a HEIC picture; save it as JPEG, PNG or TIFF (phones: camera format 'most compatible')");
   EXPECT_EQ(pictureRefusal(std::string("\0\0\0\x18", 4) + "ftypcrx "),
-            "it.jpg: is a raw picture of a camera: develop it and save it as JPEG, PNG or TIFF");
+            "it.jpg: is a raw picture of a camera; develop it and save it as JPEG, PNG or TIFF");
   EXPECT_EQ(pictureRefusal(std::string("\0\1\2\3\4\5", 6)), "it.jpg: is not a JPEG, PNG or TIFF");
 }
 
 TEST(Photograph, RawPicturesWithinTiffAreRefused) {
-  const std::string raw = "it.jpg: is a raw picture of a camera: develop it and save it as JPEG, PNG or TIFF";
+  const std::string raw = "it.jpg: is a raw picture of a camera; develop it and save it as JPEG, PNG or TIFF";
   EXPECT_EQ(pictureRefusal(tiffBytes({.further = {longTag(50706, 4, false)}, .pixels = cardPixels()})), raw);
   EXPECT_EQ(pictureRefusal(tiffBytes({.photometric = 32803, .pixels = cardPixels()})), raw);
   EXPECT_EQ(pictureRefusal(tiffBytes({.further = {longTag(254, 1, false)}, .pixels = cardPixels()})), raw);
@@ -278,11 +278,11 @@ TEST(Photograph, ColoursOfPrintAreRefused) {
   const std::size_t frame = jpeg.find("\xff\xc0");
   ASSERT_NE(frame, std::string::npos);
   jpeg[frame + 9] = 4;
-  EXPECT_EQ(pictureRefusal(jpeg), "it.jpg: is a JPEG in the colours of print (CMYK): save it in RGB, as cameras do");
+  EXPECT_EQ(pictureRefusal(jpeg), "it.jpg: is a JPEG in print colours (CMYK); save it in RGB, as cameras do");
   EXPECT_EQ(pictureRefusal(tiffBytes({.samples = 4, .photometric = 5, .pixels = cardPixels("k")})),
-            "it.jpg: is a TIFF in the colours of print (CMYK): save it in RGB, as cameras do");
+            "it.jpg: is a TIFF in print colours (CMYK); save it in RGB, as cameras do");
   EXPECT_EQ(pictureRefusal(tiffBytes({.sample_format = 3, .pixels = cardPixels()})),
-            "it.jpg: is a TIFF of signed or fractional 8 bits a channel: save it with 8");
+            "it.jpg: is a TIFF of signed or fractional 8 bits per channel; save it with 8");
 }
 
 TEST(Photograph, AreOfFiftyTwoMillionPixelsAtMostAndTwoHundredASideAtLeast) {
@@ -300,7 +300,7 @@ TEST(Photograph, HugeAndTinyOnesAreRefusedByTheirHeader) {
   const auto sum = crc32(0, reinterpret_cast<const Bytef*>(checked.data()), static_cast<uInt>(checked.size()));
   png.replace(12, 21, checked + number(static_cast<std::uint32_t>(sum), 4, true));
   const std::string huge =
-      "it.jpg: 60000 x 60000 pixels is more than the 52 million that are taken: make it smaller, 2 megapixels suffice";
+      "it.jpg: 60000 x 60000 pixels is more than the maximum of 52 million; make it smaller, 2 megapixels are enough";
   EXPECT_EQ(pictureRefusal(png), huge);
   EXPECT_EQ(pictureRefusal(tiffBytes({.width = 60000, .height = 60000, .pixels = cardPixels()})), huge);
   std::string jpeg = coded(testCard(), ".jpg");
@@ -308,7 +308,7 @@ TEST(Photograph, HugeAndTinyOnesAreRefusedByTheirHeader) {
   jpeg.replace(frame_at + 5, 4, number(60000, 2, true) + number(60000, 2, true));
   EXPECT_EQ(pictureRefusal(jpeg), huge);
   EXPECT_EQ(pictureRefusal(coded(testCard(300, 199), ".png")),
-            "it.jpg: 300 x 199 pixels is too small to find dots in: at least 200 x 200");
+            "it.jpg: 300 x 199 pixels is too small to find dots in; at least 200 x 200 are needed");
 }
 
 TEST(Photograph, AJpegOfScansWithoutEndIsRefused) {
@@ -317,7 +317,7 @@ TEST(Photograph, AJpegOfScansWithoutEndIsRefused) {
   std::string scans;
   for (int i = 0; i < 100; ++i) scans += jpeg.substr(scan, jpeg.size() - 2 - scan);
   EXPECT_EQ(pictureRefusal(jpeg.substr(0, scan) + scans + jpeg.substr(jpeg.size() - 2)),
-            "it.jpg: is a JPEG in more than 64 layers: save it again");
+            "it.jpg: is a JPEG in more than 64 layers; save it again");
 }
 
 TEST(Photograph, IsReducedByMeans) {
@@ -355,11 +355,11 @@ TEST(Photograph, FilesThatCannotBeReadOrWrittenAreNamed) {
   EXPECT_EQ(support::thrownMessage([&] { readPhotograph(folder / "none.jpg"); }),
             (folder / "none.jpg").string() + ": no such file");
   EXPECT_EQ(support::thrownMessage([&] { writePhotograph(folder / "it.webp", picture); }),
-            (folder / "it.webp").string() + ": a photograph is written as .png, .jpg");
+            (folder / "it.webp").string() + ": a photograph's name must end in .png or .jpg");
   writeFile(folder / "text.jpg", "no picture\n");
-  EXPECT_EQ(support::thrownMessage([&] { readPhotograph(folder / "text.jpg"); }),
-            (folder / "text.jpg").string() +
-                ": is text and no picture, whatever its name says: a JPEG, PNG or TIFF is needed");
+  EXPECT_EQ(
+      support::thrownMessage([&] { readPhotograph(folder / "text.jpg"); }),
+      (folder / "text.jpg").string() + ": is text, not a picture, despite its name; expected a JPEG, PNG or TIFF");
 }
 
 }  // namespace

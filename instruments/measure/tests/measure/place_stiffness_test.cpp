@@ -143,8 +143,7 @@ TEST(PlaceStiffness, KeyPointsGetTheStiffnessOfTheirName) {
   EXPECT_NEAR(read[0].ellipse.direction_rad, 1.0, 1e-9);
   EXPECT_NEAR(*read[1].stiffness_n_per_mm, 0.5, 1e-6);
   EXPECT_EQ(read[1].ellipse.half_major_mm, 0.0);
-  EXPECT_EQ(support::thrownMessage([&] { withStiffness(fits); }),
-            "where P1 lies is not said: give x_mm and y_mm in its rows");
+  EXPECT_EQ(support::thrownMessage([&] { withStiffness(fits); }), "P1 has no position; give x_mm and y_mm in its rows");
 }
 
 TEST(PlaceCurves, NamesTheLineOfWhatItCannotRead) {
@@ -153,9 +152,10 @@ TEST(PlaceCurves, NamesTheLineOfWhatItCannotRead) {
   };
   EXPECT_EQ(fault("place,depth_mm\n"), "f.csv:1: the header has no column force_n");
   EXPECT_EQ(fault("depth_mm,force_n\n"), "f.csv:1: the header has no column name");
-  EXPECT_EQ(fault(kHeader), "f.csv: holds no row: a header and a row for each depth are needed");
+  EXPECT_EQ(fault(kHeader), "f.csv: has no rows; expected a header and one row per depth");
   EXPECT_EQ(fault(kHeader + "A,,1,0,0,1,x\n"), "f.csv:2: force_n is not a number: 'x'");
-  EXPECT_EQ(fault(kHeader + "A,,1,0,0,1,1\nA,,1,0,9,2,2\n"), "f.csv:3: A lies at 0, 0 in an earlier row");
+  EXPECT_EQ(fault(kHeader + "A,,1,0,0,1,1\nA,,1,0,9,2,2\n"),
+            "f.csv:3: A is at 0, 0 in an earlier row; expected the same place");
   EXPECT_EQ(fault(kHeader + ",,1,0,0,1,1\n"), "f.csv:2: the place has no name");
 }
 

@@ -112,7 +112,7 @@ TEST(Stencil, SaysWhatDoesNotFit) {
     return support::thrownMessage([&] { stencilSheets(settings); });
   };
   EXPECT_EQ(fault({.page = StencilPage::a3}),
-            "stencil: 11 x 13 holes need 320 x 426 mm, a3 has 297 x 420: take a2, tiled-a4 or fewer holes");
+            "stencil: 11 x 13 holes need 320 x 426 mm, a3 has 297 x 420; use a2, tiled-a4 or fewer holes");
   EXPECT_EQ(fault({.spacing_mm = 2.0}), "stencil: spacing = 2 is out of range: 5 to 100 mm");
   EXPECT_EQ(fault({.hole_mm = 16.0}), "stencil: hole = 16 is out of range: 1 to 15 mm");
   EXPECT_EQ(fault({.rows = 1}), "stencil: rows = 1 is out of range: 2 to 60");

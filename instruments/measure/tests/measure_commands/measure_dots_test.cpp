@@ -156,18 +156,17 @@ TEST_F(MeasureDots, WrongInputIsSaidInOneLine) {
   measure::writePhotograph(results_ / "small.png",
                            {.name = {}, .width_px = 300, .height_px = 200, .rgb = std::vector<std::uint8_t>(180000)});
   const std::initializer_list<std::pair<std::string, std::string>> cases = {
-      {"text.jpg " + after(),
-       "text.jpg: is text and no picture, whatever its name says: a JPEG, PNG or TIFF is needed"},
+      {"text.jpg " + after(), "text.jpg: is text, not a picture, despite its name; expected a JPEG, PNG or TIFF"},
       {before() + " cut.jpg", "cut.jpg: is cut off: the end of the picture is missing; copy the file again"},
       {before() + " none.jpg", "none.jpg: no such file"},
       {before() + " small.png", "small.png: is 300 x 200 pixels, "},
-      {before(), "measure dots: takes two photographs, before and after, or one table of dots (.csv)"},
-      {"dots.csv", "dots.csv:3: picture 'later' is neither before nor after"},
+      {before(), "measure dots: expected two photographs, before and after, or one table of dots (.csv)"},
+      {"dots.csv", "dots.csv:3: picture 'later' must be before or after"},
       {"dots.csv --null " + before(), "--null: needs photographs, not a table of dots"},
       {pair() + " --spacing-mm 2", "--spacing-mm: 2 is out of range: 5 to 100 mm"},
       {pair() + " --contact 99999,5", "--contact: 99999,5 lies outside the picture"},
       {pair() + " --name a,b", "--name: has a comma"},
-      {pair() + " --at 1,2,3,4", "--at: takes X,Y or a place such as 'T6'"},
+      {pair() + " --at 1,2,3,4", "--at: expected X,Y or a place such as 'T6'"},
       {pair() + " --overlay it.jpg", "it.jpg: a plot's name must end in .png or .svg"},
       {pair() + " -o text.jpg", "text.jpg: is a file, not a folder"},
   };

@@ -81,7 +81,7 @@ TEST_F(MeasureAverage, SaysWhatItCannotUse) {
   EXPECT_EQ(runForError("average a.csv --drag left"), "palpate: no press was dragged left\n");
   EXPECT_NE(runForError("average a.csv --drag uphill").find("neither up, down, left, right nor degrees"),
             std::string::npos);
-  EXPECT_NE(runForError("average a.csv --mirror P4").find("is not FROM:TO"), std::string::npos);
+  EXPECT_NE(runForError("average a.csv --mirror P4").find("must be FROM:TO"), std::string::npos);
   EXPECT_NE(runForError("average a.csv --mirror P4:P6").find("unknown point 'P4'"), std::string::npos);
   EXPECT_EQ(runForError("average a.csv --plot a.jpg"), "palpate: a.jpg: a plot's name must end in .png or .svg\n");
   EXPECT_NE(runForError("average none.csv").find("none.csv"), std::string::npos);
@@ -117,8 +117,8 @@ TEST_F(MeasureStencil, WritesASheetOrItsTiles) {
   EXPECT_NE(contentOf(folder_ / "s.svg").find("width=\"420mm\""), std::string::npos);
   EXPECT_EQ(measure("stencil -o s.svg --page tiled-a4").out,
             "-> s-r1c1.svg\n-> s-r1c2.svg\n-> s-r2c1.svg\n-> s-r2c2.svg\n");
-  EXPECT_EQ(runForError("stencil -o s.pdf"), "palpate: s.pdf: a stencil is written as .svg\n");
-  EXPECT_NE(runForError("stencil -o s.svg --page a4").find("a4 has 210 x 297: take a2, tiled-a4"), std::string::npos);
+  EXPECT_EQ(runForError("stencil -o s.pdf"), "palpate: s.pdf: a stencil's name must end in .svg\n");
+  EXPECT_NE(runForError("stencil -o s.svg --page a4").find("a4 has 210 x 297; use a2, tiled-a4"), std::string::npos);
 }
 
 using MeasureSession = MeasureTables;

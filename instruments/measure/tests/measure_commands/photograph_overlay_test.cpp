@@ -126,7 +126,7 @@ TEST(PhotographOverlay, IsWrittenAsPngAndSvg) {
   EXPECT_EQ(readFile(folder / "it.png", 1 << 24), overlayPng(made.page));
   EXPECT_NE(readFile(folder / "it.svg", 1 << 24).find("refused: The body moved."), std::string::npos);
   EXPECT_EQ(support::thrownMessage([&] { writeOverlay(made.page, folder / "it.jpg"); }),
-            (folder / "it.jpg").string() + ": an overlay is written as .png, .svg");
+            (folder / "it.jpg").string() + ": an overlay's name must end in .png or .svg");
 }
 
 }  // namespace

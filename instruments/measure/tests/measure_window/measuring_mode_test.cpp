@@ -133,7 +133,7 @@ TEST(MeasuringMode, SaysWhatIsMissingAndWhatCannotBeWritten) {
   MeasuringMode mode;
   const auto last_words = [&] { return viewer.messages.all().empty() ? "" : viewer.messages.all().back().text; };
   EXPECT_EQ(mode.accept(viewer, false), MeasuringMode::Accepting::failed);
-  EXPECT_EQ(last_words(), "There is no ellipse to accept");
+  EXPECT_EQ(last_words(), "No ellipse to accept");
   fillIn(mode, viewer, folder.path());
   mode.view().form.at_mm.reset();
   mode.accept(viewer, false);

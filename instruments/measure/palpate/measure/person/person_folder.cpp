@@ -150,7 +150,7 @@ KeptPresses readKept(const fs::path& file) {
     root = scene::parseToml(text, file.string());
   } catch (const Error& error) {
     throw Error::atLine(file.string(), error.line(),
-                        "is not a record of measurements; without it all is measured again");
+                        "is not a record of measurements; delete it to measure everything again");
   }
   const scene::TomlNode* presses = root.get("press");
   if (presses == nullptr || presses->list() == nullptr) return kept;
@@ -210,9 +210,10 @@ void decide(KeptPresses& kept, const std::vector<WalkedPress>& presses, const st
     const auto found = kept.find(name);
     const bool current = std::ranges::any_of(
         presses, [&](const WalkedPress& press) { return press.planned.name == name && press.outcome.has_value(); });
-    if (found == kept.end() || !current) throw Error(fmt::format("{} was not measured: pictures are missing", name));
+    if (found == kept.end() || !current)
+      throw Error(fmt::format("{} was not measured; its pictures are missing", name));
     if (decision == Decision::accept && found->second.outcome.row.empty()) {
-      throw Error(fmt::format("{} gave no ellipse that could be accepted: repeat it", name));
+      throw Error(fmt::format("{} gave no ellipse that could be accepted; repeat it", name));
     }
     found->second.decision = decision;
   }

@@ -49,8 +49,7 @@ std::string personTable(const Averages& averages, const std::optional<PlaceFits>
       alone += fmt::format("{},{:.10g},{:.10g},,,,{:.6g},,,,,,\n", place.place, place.at_mm->x(), place.at_mm->y(),
                            n_per_mm);
     } else {
-      throw Error(
-          fmt::format("{}: where {} lies is not said: give x_mm and y_mm in its rows", kForcesFile, place.place));
+      throw Error(fmt::format("{}: {} has no position; give x_mm and y_mm in its rows", kForcesFile, place.place));
     }
   }
   return keyPointTable(with) + alone;
@@ -104,7 +103,7 @@ std::string checklist(const Protocol& protocol) {
 }  // namespace
 
 PersonResult writePerson(const PersonWalk& walk, const Progress& progress) {
-  if (!walk.complete()) throw Error::inFile(walk.folder.string(), "is not complete");
+  if (!walk.complete()) throw Error::inFile(walk.folder.string(), "is not complete; measure the missing presses first");
   PersonResult result{.averages = averagePresses(countingRows(walk))};
   result.stiffness = loadStiffness(walk.folder / kForcesFile, progress);
   const std::string table = personTable(result.averages, result.stiffness);
@@ -119,7 +118,7 @@ PersonResult writePerson(const PersonWalk& walk, const Progress& progress) {
 
 std::vector<std::string> beginPerson(const fs::path& folder, const Protocol& protocol) {
   if (fs::exists(folder / kProtocolFile)) {
-    throw Error::inFile((folder / kProtocolFile).string(), "is there already and is not replaced");
+    throw Error::inFile((folder / kProtocolFile).string(), "exists already and is not replaced; choose another folder");
   }
   makePrivateFolder(folder);
   std::vector<std::string> written;

@@ -47,7 +47,7 @@ std::vector<ProtocolDrag> readDrags(const ProtocolTable& table) {
   for (const scene::TomlNode& one : *list) {
     const std::string word = one.text().value_or("");
     const auto degrees = dragNamed(word);
-    if (!degrees || !isPlain(word)) table.fail(one, "'" + oneLine(word) + "' is none of up, down, left, right");
+    if (!degrees || !isPlain(word)) table.fail(one, "'" + oneLine(word) + "' must be up, down, left or right");
     drags.push_back({word, *degrees});
   }
   return drags;
@@ -59,7 +59,7 @@ void eachTable(const scene::TomlNode& root, const char* name, std::string_view f
   const scene::TomlNode* node = root.get(name);
   if (node == nullptr) return;
   if (!node->isListOfTables()) {
-    throw Error::atLine(file, node->line(), fmt::format("{0} is written as [[{0}]]", name));
+    throw Error::atLine(file, node->line(), fmt::format("{0} must be a list of tables, written as [[{0}]]", name));
   }
   for (const scene::TomlNode& one : *node->list()) read(one);
 }
@@ -97,14 +97,14 @@ ListedPictures readListedPictures(const scene::TomlNode& table, std::string_view
 }
 
 void checkTogether(const Protocol& protocol, std::string_view file) {
-  if (protocol.points.empty()) throw Error::inFile(file, "names no [[point]]");
+  if (protocol.points.empty()) throw Error::inFile(file, "has no [[point]]");
   if (protocol.enough > protocol.presses) throw Error::inFile(file, "enough must not exceed presses");
   std::set<std::string> names;
   for (const ProtocolPoint& point : protocol.points) {
-    if (!names.insert(point.name).second) throw Error::inFile(file, "the point " + point.name + " stands twice");
+    if (!names.insert(point.name).second) throw Error::inFile(file, "the point " + point.name + " appears twice");
   }
   for (const ProtocolDrag& drag : protocol.drags) {
-    if (!names.insert(drag.word).second) throw Error::inFile(file, drag.word + " stands twice");
+    if (!names.insert(drag.word).second) throw Error::inFile(file, drag.word + " appears twice");
   }
   std::vector<std::string> presses;
   for (const PlannedPress& press : plannedPresses(protocol)) presses.push_back(press.name);

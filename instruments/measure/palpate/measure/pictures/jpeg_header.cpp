@@ -30,7 +30,7 @@ class Segments {
       if (marker == 0xe1) readApplication(segment);
       if (marker == 0xda) skipScan();
     }
-    if (!has_frame_ || scans_ == 0) throw Error::inFile(name_, "is a JPEG without a picture");
+    if (!has_frame_ || scans_ == 0) throw Error::inFile(name_, "is a JPEG without a picture; copy the file again");
     return header_;
   }
 
@@ -61,18 +61,19 @@ class Segments {
 
   void readFrame(std::string_view segment) {
     if (segment.size() < 6) throw Error::inFile(name_, kDamaged);
-    if (has_frame_) throw Error::inFile(name_, "is a JPEG in layers: save it as a plain JPEG, PNG or TIFF");
+    if (has_frame_) throw Error::inFile(name_, "is a JPEG in layers; save it as a plain JPEG, PNG or TIFF");
     has_frame_ = true;
     const auto number = [&](std::size_t at) {
       return static_cast<std::size_t>(static_cast<unsigned char>(segment[at]));
     };
-    if (number(0) != 8) throw Error::inFile(name_, fmt::format("is a JPEG of {} bits: save it with 8", number(0)));
+    if (number(0) != 8) throw Error::inFile(name_, fmt::format("is a JPEG of {} bits; save it with 8", number(0)));
     header_.height_px = number(1) * 256 + number(2);
     header_.width_px = number(3) * 256 + number(4);
     if (number(5) == 4) {
-      throw Error::inFile(name_, "is a JPEG in the colours of print (CMYK): save it in RGB, as cameras do");
+      throw Error::inFile(name_, "is a JPEG in print colours (CMYK); save it in RGB, as cameras do");
     }
-    if (number(5) != 1 && number(5) != 3) throw Error::inFile(name_, "unsupported JPEG colour space: save it in RGB");
+    if (number(5) != 1 && number(5) != 3)
+      throw Error::inFile(name_, "has an unsupported JPEG colour space; save it in RGB");
   }
 
   void readApplication(std::string_view segment) {
@@ -86,7 +87,7 @@ class Segments {
   void skipScan() {
     if (!has_frame_) throw Error::inFile(name_, kDamaged);
     if (++scans_ > kMaxScans) {
-      throw Error::inFile(name_, fmt::format("is a JPEG in more than {} layers: save it again", kMaxScans));
+      throw Error::inFile(name_, fmt::format("is a JPEG in more than {} layers; save it again", kMaxScans));
     }
     for (;;) {
       at_ = bytes_.find('\xff', at_);

@@ -91,7 +91,7 @@ cv::Mat decode(const cv::Mat& coded, const PictureHeader& header, std::string_vi
   }
   if (picture.empty() || static_cast<std::size_t>(picture.cols) != header.width_px ||
       static_cast<std::size_t>(picture.rows) != header.height_px) {
-    throw Error::inFile(name, "is damaged and cannot be decoded: copy the file again, or save it again as JPEG or PNG");
+    throw Error::inFile(name, "is damaged and cannot be decoded; copy the file again, or save it as JPEG or PNG");
   }
   // libtiff has multiplied the colours of eight bits in any case.
   const bool is_multiplied = header.is_multiplied || (header.format == PictureFormat::tiff && header.bits == 8);
@@ -104,7 +104,7 @@ std::vector<std::string> notesOn(const PictureHeader& header) {
   std::vector<std::string> notes;
   if (header.bits == 16) notes.emplace_back("16 bits a channel, reduced to 8");
   if (header.is_transparent) notes.emplace_back("transparency, laid over white");
-  if (header.pages > 1) notes.emplace_back("several pages, of which the first is taken");
+  if (header.pages > 1) notes.emplace_back("several pages, of which the first is used");
   return notes;
 }
 
@@ -134,7 +134,7 @@ cv::Mat asCvMat(const Photograph& picture) {
   if (picture.width_px <= 0 || picture.height_px <= 0 ||
       picture.rgb.size() !=
           std::size_t{3} * static_cast<std::size_t>(picture.width_px) * static_cast<std::size_t>(picture.height_px)) {
-    throw Error("a picture's size does not fit its pixels");
+    throw Error("a picture's size does not match its pixels");
   }
   // OpenCV takes no pointer to const data; it does not change them.
   return {picture.height_px, picture.width_px, CV_8UC3, const_cast<std::uint8_t*>(picture.rgb.data())};
@@ -173,7 +173,7 @@ Photograph readPhotograph(const std::filesystem::path& file) {
 }
 
 Photograph decodePhotograph(std::span<const std::byte> bytes, std::string_view name) {
-  if (bytes.size() > kMaxBytes) throw Error::inFile(name, "is too large for a photograph");
+  if (bytes.size() > kMaxBytes) throw Error::inFile(name, "is too large for a photograph; make it smaller");
   std::string owned(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   return decodeOwned(owned, name);
 }
@@ -203,7 +203,7 @@ void writePhotograph(const std::filesystem::path& file, const Photograph& pictur
   const std::string extension = file.extension().string();
   if (extension == ".png") return writePng(file, picture);
   if (extension == ".jpg" || extension == ".jpeg") return writeJpeg(file, picture, kUsualQuality);
-  throw Error::inFile(file.string(), "a photograph is written as .png, .jpg");
+  throw Error::inFile(file.string(), "a photograph's name must end in .png or .jpg");
 }
 
 }  // namespace palpate::measure

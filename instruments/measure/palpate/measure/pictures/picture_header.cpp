@@ -18,12 +18,13 @@ constexpr std::size_t kMinSide = 200;
 void checkPictureSize(const PictureHeader& header, std::string_view name) {
   const double pixels = static_cast<double>(header.width_px) * static_cast<double>(header.height_px);
   if (pixels > static_cast<double>(kMaxPixels)) {
-    throw Error::inFile(name, fmt::format("{} x {} pixels is more than the {} million that are taken: make it smaller, "
-                                          "2 megapixels suffice",
-                                          header.width_px, header.height_px, kMaxPixels / 1'000'000));
+    throw Error::inFile(
+        name,
+        fmt::format("{} x {} pixels is more than the maximum of {} million; make it smaller, 2 megapixels are enough",
+                    header.width_px, header.height_px, kMaxPixels / 1'000'000));
   }
   if (header.width_px < kMinSide || header.height_px < kMinSide) {
-    throw Error::inFile(name, fmt::format("{} x {} pixels is too small to find dots in: at least {} x {}",
+    throw Error::inFile(name, fmt::format("{} x {} pixels is too small to find dots in; at least {} x {} are needed",
                                           header.width_px, header.height_px, kMinSide, kMinSide));
   }
 }

@@ -32,14 +32,15 @@ Chunk chunkAt(std::string_view bytes, std::size_t at, std::string_view name) {
   const std::string_view checked = bytes.substr(at + 4, length + 4);
   const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(checked.data()), checked.size());
   if (sum != bigEndian(bytes.substr(at + 8 + length, 4))) {
-    throw Error::inFile(name, "is damaged: a check sum is wrong; copy the file again");
+    throw Error::inFile(name, "is damaged (wrong checksum); copy the file again");
   }
   return {checked.substr(0, 4), checked.substr(4)};
 }
 
 void readFrame(const Chunk& chunk, PictureHeader& header, std::string_view name) {
   constexpr std::size_t kFrameBytes = 13;
-  if (chunk.kind != "IHDR" || chunk.data.size() != kFrameBytes) throw Error::inFile(name, "is a PNG without a start");
+  if (chunk.kind != "IHDR" || chunk.data.size() != kFrameBytes)
+    throw Error::inFile(name, "is a PNG without a header; copy the file again");
   header.width_px = bigEndian(chunk.data.substr(0, 4));
   header.height_px = bigEndian(chunk.data.substr(4, 4));
   header.bits = static_cast<unsigned char>(chunk.data[8]) == 16 ? 16 : 8;
@@ -58,13 +59,13 @@ PictureHeader readPngHeader(std::string_view bytes, std::string_view name) {
     at += chunk.data.size() + kAroundChunk;
     if (is_first) readFrame(chunk, header, name);
     if (chunk.kind == "acTL")
-      throw Error::inFile(name, "is animated (a PNG): save one picture of it as JPEG, PNG or TIFF");
+      throw Error::inFile(name, "is an animated PNG; save one picture of it as JPEG, PNG or TIFF");
     if (chunk.kind == "tRNS") header.is_transparent = true;
     if (chunk.kind == "eXIf") header.exif = readExif(chunk.data);
     if (chunk.kind == "IDAT") has_picture = true;
     if (chunk.kind == "IEND") break;
   }
-  if (!has_picture) throw Error::inFile(name, "is a PNG without a picture");
+  if (!has_picture) throw Error::inFile(name, "is a PNG without a picture; copy the file again");
   return header;
 }
 

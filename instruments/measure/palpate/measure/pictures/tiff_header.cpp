@@ -34,25 +34,25 @@ void refuseRaw(const TiffDirectory& page, std::string_view bytes, std::string_vi
   const bool is_raw = page.number(kPhotometric).value_or(0) >= kFirstRawPhotometric;
   const bool is_canon = bytes.substr(8).starts_with("CR\x02");
   if (page.find(kDngVersion) != nullptr || is_preview || is_raw || is_canon) {
-    throw Error::inFile(name, "is a raw picture of a camera: develop it and save it as JPEG, PNG or TIFF");
+    throw Error::inFile(name, "is a raw picture of a camera; develop it and save it as JPEG, PNG or TIFF");
   }
 }
 
 void checkColours(const TiffDirectory& page, PictureHeader& header, std::string_view name) {
   constexpr std::uint32_t kPrint = 5;
-  if (!page.number(kPhotometric)) throw Error::inFile(name, "is a TIFF that does not say its colours: save it in RGB");
+  if (!page.number(kPhotometric)) throw Error::inFile(name, "is a TIFF without a colour space; save it in RGB");
   if (page.number(kPhotometric) == kPrint) {
-    throw Error::inFile(name, "is a TIFF in the colours of print (CMYK): save it in RGB, as cameras do");
+    throw Error::inFile(name, "is a TIFF in print colours (CMYK); save it in RGB, as cameras do");
   }
   header.bits = page.number(kBits).value_or(1);
   const bool is_whole = page.number(kSampleFormat).value_or(1) == 1;
   if (!is_whole || (header.bits != 8 && header.bits != 16)) {
-    throw Error::inFile(name, fmt::format("is a TIFF of {}{} bits a channel: save it with 8",
+    throw Error::inFile(name, fmt::format("is a TIFF of {}{} bits per channel; save it with 8",
                                           is_whole ? "" : "signed or fractional ", header.bits));
   }
   const std::uint32_t samples = page.number(kSamples).value_or(1);
   if (samples == 0 || samples > 4)
-    throw Error::inFile(name, fmt::format("is a TIFF of {} channels: save it in RGB", samples));
+    throw Error::inFile(name, fmt::format("is a TIFF of {} channels; save it in RGB", samples));
   const std::uint32_t extra = page.number(kExtraSamples).value_or(0);
   header.is_transparent = extra == 1 || extra == 2;
   header.is_multiplied = extra == 1;
@@ -77,7 +77,7 @@ void checkDataInFile(const TiffDirectory& page, std::string_view bytes, std::str
     sum += length.value_or(0);
   }
   if (page.number(kCompression).value_or(1) == 1) whole = whole && sum >= plainBytes(page);
-  if (!whole) throw Error::inFile(name, "is cut off: a part of the picture is missing; copy the file again");
+  if (!whole) throw Error::inFile(name, "is cut off, with part of the picture missing; copy the file again");
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ void checkDataInFile(const TiffDirectory& page, std::string_view bytes, std::str
 PictureHeader readTiffHeader(std::string_view bytes, std::string_view name) {
   const auto start = tiffStart(bytes);
   const TiffDirectory page(bytes, start->big_endian, start->directory_at);
-  if (page.empty()) throw Error::inFile(name, "is cut off: a TIFF without its page; copy the file again");
+  if (page.empty()) throw Error::inFile(name, "is cut off, a TIFF without its page; copy the file again");
   refuseRaw(page, bytes, name);
   PictureHeader header{.format = PictureFormat::tiff};
   header.width_px = page.number(kWidth).value_or(0);

@@ -46,12 +46,12 @@ Dot parseDot(const CsvRow& row, bool has_area) {
 void addRow(const CsvRow& row, bool has_area, DotPair& pair) {
   const std::string_view picture = row.fields.front();
   if (picture != "before" && picture != "after") {
-    throw Error::atLine(row.file, row.line, fmt::format("picture '{}' is neither before nor after", oneLine(picture)));
+    throw Error::atLine(row.file, row.line, fmt::format("picture '{}' must be before or after", oneLine(picture)));
   }
   std::vector<Dot>& dots = picture == "before" ? pair.before : pair.after;
   dots.push_back(parseDot(row, has_area));
   if (dots.size() > kMaxTableMarks) {
-    throw Error::atLine(row.file, row.line, fmt::format("more than {} dots of one picture", kMaxTableMarks));
+    throw Error::atLine(row.file, row.line, fmt::format("too many dots for one picture; at most {}", kMaxTableMarks));
   }
 }
 
@@ -73,8 +73,8 @@ DotPair parseDotTable(std::string_view text, std::string_view file) {
       addRow(row, has_area, pair);
     }
   });
-  if (pair.before.empty()) throw Error::inFile(file, "no dots of the picture before");
-  if (pair.after.empty()) throw Error::inFile(file, "no dots of the picture after");
+  if (pair.before.empty()) throw Error::inFile(file, "has no dots of the picture before");
+  if (pair.after.empty()) throw Error::inFile(file, "has no dots of the picture after");
   return pair;
 }
 
