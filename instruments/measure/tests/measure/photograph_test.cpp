@@ -241,7 +241,7 @@ TEST(Photograph, ADamagedFileIsRefused) {
   EXPECT_EQ(pictureRefusal(jpeg), "it.jpg: is not a JPEG, PNG or TIFF");
   jpeg = coded(testCard(), ".jpg");
   jpeg[20] = 'x';  // where a marker should be
-  EXPECT_EQ(pictureRefusal(jpeg), "it.jpg: is damaged: what should be a marker is none; copy the file again");
+  EXPECT_EQ(pictureRefusal(jpeg), "it.jpg: is damaged: a marker is missing; copy the file again");
 }
 
 TEST(Photograph, WhatMovesIsRefused) {

@@ -254,18 +254,19 @@ std::vector<std::string> formChoices() {
 
 void addFitForceCommand(Command& parent) {
   const auto [command, a] = addCommand(parent, "force", "Find the force law of measured force by depth", runFitForce);
-  command.add_option("--data,CURVES", a.file, "Table depth_mm,force_n and, where there are several, curve or place")
+  command.add_option("--data,CURVES", a.file, "Table depth_mm,force_n and, for several curves, curve or place")
       ->required();
-  command.add_option("--curve", a.curves, "Only this curve, by its name; repeatable")->allow_extra_args(false);
-  restrictTo(
-      formChoices(),
-      command.add_option("--form", a.form, "Of the table and the scene keys; best: what foretells unseen rows best"))
+  command.add_option("--curve", a.curves, "Fit only this curve, by its name; repeatable")->allow_extra_args(false);
+  restrictTo(formChoices(),
+             command.add_option(
+                 "--form", a.form,
+                 "Form of the law in the table and the scene keys; best: the form that predicts unseen rows best"))
       ->capture_default_str();
   command.add_flag("--free-offset", a.settings.free_offset,
-                   "Look for the depth at which each curve meets the skin, instead of at 0");
+                   "Find the depth at which each curve meets the skin, instead of 0");
   addSetting(command, "--most-offset-mm", a.settings.most_offset_mm, above(0.0, 100.0, "mm"),
-             "No deeper than this; with --free-offset");
-  namesFileToWrite(command.add_option("-o,--out", a.output, "Table to write, as force_table of a scene reads it"));
+             "Largest depth to look at with --free-offset");
+  namesFileToWrite(command.add_option("-o,--out", a.output, "Table to write, for force_table of a scene"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
 }

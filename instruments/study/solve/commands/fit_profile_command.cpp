@@ -63,7 +63,7 @@ ProfileForm chooseProfileForm(const FitProfileArguments& arguments, const Profil
 /// The law of the only curve of the file.
 tissue::ForceFit forceFrom(const std::string& file) {
   const std::vector<tissue::ForceCurve> curves = tissue::readForceCurves(file);
-  if (curves.size() > 1) throw Error::inFile(file, "holds several curves; a table of tissue has one");
+  if (curves.size() > 1) throw Error::inFile(file, "holds several curves; expected one, for a table of tissue");
   try {
     return bestOf(fitForces(curves.front(), {}));
   } catch (const Error& error) {
@@ -137,18 +137,19 @@ std::vector<std::string> profileFormChoices() {
 void addFitProfileCommand(Command& parent) {
   const auto [command, a] =
       addCommand(parent, "profile", "Find the shape of pressed skin from measured places", runFitProfile);
-  command.add_option("--data,CURVES", a.data, "Table depth_mm,r_mm,down_mm and, where it was measured, outward_mm")
-      ->required();
-  command.add_option("--forces", a.forces, "Table depth_mm,force_n of the same place (default: forces are 0, unknown)");
-  command.add_option("--layer", a.layers, "What lies there, NAME:THICKNESS:MODULUS from the skin down; repeatable")
+  command.add_option("--data,CURVES", a.data, "Table depth_mm,r_mm,down_mm and, if measured, outward_mm")->required();
+  command.add_option("--forces", a.forces,
+                     "Table depth_mm,force_n of the same place (default: forces are 0, which means unknown)");
+  command.add_option("--layer", a.layers, "Layer at the place, NAME:THICKNESS:MODULUS; repeat it from the skin down")
       ->allow_extra_args(false);
-  addNumber(command, "--indenter-radius-mm", a.indenter_radius_mm, between(0.1, 1000.0, "mm"), "Of the sphere");
+  addNumber(command, "--indenter-radius-mm", a.indenter_radius_mm, between(0.1, 1000.0, "mm"), "Radius of the sphere");
   restrictTo(profileFormChoices(),
-             command.add_option("--form", a.form, "Of the table; best: what foretells unseen places best"))
+             command.add_option("--form", a.form,
+                                "Form of the profile in the table; best: the form that predicts unseen places best"))
       ->capture_default_str();
   namesFileToWrite(
       command.add_option("-o,--out", a.output, "Table of layered tissue to write (docs/reference/tissue-tables.md)"));
-  command.add_option("--profile", a.profile, "Table q,value to write, as profile_file of a scene reads it");
+  command.add_option("--profile", a.profile, "Table q,value to write, for profile_file of a scene");
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");
   command.add_flag("--json", a.json, "Print one JSON object");
 }

@@ -270,27 +270,27 @@ void addTissueLibraryCommand(Command& parent) {
         if (given.drag) return solveDrags(given);
         given.solve ? solveLibrary(given) : listLibrary(given);
       });
-  addSetting(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle");
-  addSetting(command, "--finger-radius-mm", a.finger_mm, between(1.0, 24.0, "mm"), "Finger that presses");
-  Option& solve = *command.add_flag("--solve", a.solve,
-                                    "Solve all of them again (minutes) and write the source file that is shipped");
-  Option& fingers = *command
-                         .add_flag("--fingers", a.fingers,
-                                   "With --solve: the forces of fingers of other radii, which have their own file")
-                         ->needs(&solve);
+  addSetting(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Thickness of the fat between skin and muscle");
+  addSetting(command, "--finger-radius-mm", a.finger_mm, between(1.0, 24.0, "mm"), "Radius of the pressing finger");
+  Option& solve =
+      *command.add_flag("--solve", a.solve, "Solve all stacks again (minutes) and write the shipped source file");
+  Option& fingers =
+      *command
+           .add_flag("--fingers", a.fingers,
+                     "With --solve: write the forces of fingers of other radii, which have their own file")
+           ->needs(&solve);
   command
       .add_flag("--drag", a.drag,
-                "With --solve: the drags that `palpate measure` fits to photographs, instead of the body's")
+                "With --solve: write the drags that `palpate measure` fits to photographs, instead of the body's")
       ->needs(&solve)
       ->excludes(&fingers);
   command
-      .add_flag(
-          "--field", a.field,
-          "With --solve: the strain energy under each press, which lumps are felt through and which has its own file "
-          "(5 minutes)")
+      .add_flag("--field", a.field,
+                "With --solve: write the strain energy under each press, which lumps need and which has its own file "
+                "(5 minutes)")
       ->needs(&solve)
       ->excludes(&fingers);
-  namesFileToWrite(command.add_option("-o,--out", a.output, "With --solve: the file"));
+  namesFileToWrite(command.add_option("-o,--out", a.output, "With --solve: file to write"));
   command.add_flag("--json", a.json, "Print one JSON object");
 }
 

@@ -121,7 +121,7 @@ std::string findingsText(const lab::LumpFindings& findings) {
 
 void runLumpCheck(const LumpCheckArguments& arguments) {
   if (arguments.cases.empty() == !arguments.seed)
-    throw Error("lump check: give --cases FILE or --solve SEED, one of the two");
+    throw Error("lump check: expected either --cases FILE or --solve SEED");
   ProgressLine progress;
   const lab::LumpCases cases = arguments.seed
                                    ? lab::solveLumpCases(*arguments.seed, arguments.lumps, progress.callback())
@@ -157,7 +157,7 @@ std::array<double, 3> halfAxesFrom(const LumpShowArguments& arguments) {
 }
 
 void runLumpShow(const LumpShowArguments& arguments) {
-  if (arguments.ratio && arguments.young_kpa) throw Error("lump show: takes --ratio or --young-kpa, not both");
+  if (arguments.ratio && arguments.young_kpa) throw Error("lump show: expected --ratio or --young-kpa, not both");
   std::optional<tissue::LayeredTable> table;
   if (!arguments.table.empty()) table = tissue::readLayeredTable(arguments.table);
   const tissue::LayeredTissue without(table ? std::vector{tissue::nodeOf(*table)}
@@ -206,7 +206,8 @@ void addLumpCheckCommand(Command& lump) {
   addNumber(command, "--solve", a.seed, between(0.0, 1e9),
             "Draw stacks and lumps with this seed and solve them instead")
       ->excludes(&cases);
-  addSetting(command, "--lumps", a.lumps, between(1.0, 200.0), "With --solve: lumps, four to a stack, some 10 s each");
+  addSetting(command, "--lumps", a.lumps, between(1.0, 200.0),
+             "With --solve: number of lumps, four to a stack, about 10 s each");
   command.add_flag("--json", a.json, "Print one JSON object");
 }
 
@@ -217,24 +218,23 @@ void addLumpShowCommand(Command& lump) {
       *addSetting(command, "--diameter-mm", a.diameter_mm, between(2.0, 40.0, "mm"), "Diameter of a ball");
   command
       .add_option("--half-axes-mm", a.half_axes,
-                  "Of a flat or a long lump instead: across, across (the same), into the body, such as 6,6,3")
+                  "Half axes of a flat or long lump instead: across, across (the same), into the body, such as 6,6,3")
       ->excludes(&diameter);
   addSetting(command, "--depth-mm", a.depth_mm, between(0.5, 200.0, "mm"), "Depth of its top under the skin");
   addNumber(command, "--ratio", a.ratio, between(0.2, 1000.0),
-            "Stiffness over that of the layer at its centre (default: 5)");
+            "Ratio of its stiffness to that of the layer at its centre (default: 5)");
   addNumber(command, "--young-kpa", a.young_kpa, between(0.1, 1e6, "kPa"), "Stiffness in kPa instead");
   addSetting(command, "--edge", a.edge, between(0.0, 1.0), "0: sharp, to 1: soft all through");
   addSetting(command, "--thickness-mm", a.thickness_mm, between(9.0, 62.0, "mm"), "Depth of the bone at the place");
-  addSetting(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Fat between skin and muscle");
-  command.add_option("--table", a.table, "Layers of a table instead, solved with --field");
+  addSetting(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Thickness of the fat between skin and muscle");
+  command.add_option("--table", a.table, "Table with layers to use instead, solved with --field");
   command.add_flag("--json", a.json, "Print one JSON object");
 }
 
 }  // namespace
 
 void addLumpCommand(Command& app) {
-  Command& lump =
-      *app.add_subcommand("lump", "Lumps under the skin: what they add to a press, compared with finite elements");
+  Command& lump = *app.add_subcommand("lump", "Show, check and solve lumps under the skin");
   lump.require_subcommand(1);
   addLumpShowCommand(lump);
   addLumpCheckCommand(lump);

@@ -57,7 +57,7 @@ std::string solvedText(const SolvedLump& lump) {
 
 void runLumpSolve(const LumpSolveArguments& arguments) {
   scene::Scene scene = scene::load(arguments.scene);
-  if (scene.lumps.empty()) throw Error::inFile(arguments.scene, "has no [[lump]] to solve");
+  if (scene.lumps.empty()) throw Error::inFile(arguments.scene, "has no [[lump]] to solve; at least one is needed");
   ProgressLine progress;
   scene.tissue.lumps = scene::LumpForce::table;
   const auto by_table = scene::build(scene, progress.callback());
@@ -84,7 +84,8 @@ void runLumpSolve(const LumpSolveArguments& arguments) {
 
 void addLumpSolveCommand(Command& lump) {
   const auto [command, arguments] = addCommand(
-      lump, "solve", "Solve the lumps of a scene and keep the result for [tissue] lumps = \"solved\"; some 10 s a lump",
+      lump, "solve",
+      "Solve the lumps of a scene and store the result for [tissue] lumps = \"solved\" (about 10 s per lump)",
       runLumpSolve);
   command.add_option("SCENE", arguments.scene, "Scene file (TOML) with [[lump]]")->required();
   command.add_flag("--json", arguments.json, "Print one JSON object");

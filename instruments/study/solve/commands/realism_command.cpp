@@ -179,22 +179,21 @@ void runRealism(const RealismArguments& arguments) {
 void addRealismCommand(Command& tissue) {
   const auto [command, a] = addCommand(
       tissue, "realism",
-      "How far the skin and the force are from finite elements of layered tissue (docs/explanation/tissue.md)",
-      runRealism);
+      "Compare the skin and the force with finite elements of layered tissue (docs/explanation/tissue.md)", runRealism);
   command.add_option("--cases", a.cases,
-                     "JSON of solved presses to judge by (default: six places of a body, solved now (some 30 s))");
+                     "Solved presses to compare with, JSON (default: six places of a body, solved now, about 30 s)");
   Option& living =
       *command.add_option("--living", a.living,
                           "Compare with presses of an ultrasound probe on living limbs instead (N/mm): the list " +
-                              std::string(lab::kLivingList) + " or its folder (some two minutes)");
+                              std::string(lab::kLivingList) + " or its folder (about two minutes)");
   living.excludes("--cases");
   Option& radius = *command.add_flag(
       "--radius", a.radius,
-      "Compare the force on fingers of 2 to 16 mm with spheres of their radius instead (some two minutes)");
+      "Compare the force on fingers of 2 to 16 mm with spheres of their radius instead (about two minutes)");
   radius.excludes("--cases");
   radius.excludes(&living);
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg")->excludes(&living)->excludes(&radius);
-  addSetting(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel");
+  addSetting(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels per CSS pixel");
   command.add_flag("--json", a.json, "Print one JSON object");
 }
 

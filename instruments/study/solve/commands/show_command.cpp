@@ -57,7 +57,7 @@ void checkDepth(const ShowArguments& arguments, const std::vector<NamedTable>& t
     const double from = shapes.front().depth_mm;
     const double to = shapes.back().depth_mm;
     if (*arguments.depth_mm >= from && *arguments.depth_mm <= to) continue;
-    throw Error::inFile(arguments.files[i], fmt::format("has no shape of --depth {}: it reaches from {} to {} mm",
+    throw Error::inFile(arguments.files[i], fmt::format("has no shape at --depth {}; it covers {} to {} mm",
                                                         *arguments.depth_mm, from, to));
   }
 }
@@ -159,9 +159,9 @@ void addTissueShowCommand(Command& parent) {
   namesFileToWrite(command.add_option("-o,--out", a.output, "Picture to write: .png or .svg"));
   addNumber(command, "--depth", a.depth_mm, above(0.0, 500.0, "mm"),
             "Draw the skin at this depth (default: at every depth of one table, at the deepest that several share)");
-  addNumber(command, "--radius-mm", a.radius_mm, between(1.0, 10'000.0, "mm"), "Draw the skin as far as this");
-  command.add_option("--title", a.title, "Above the picture");
-  addSetting(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels a CSS pixel");
+  addNumber(command, "--radius-mm", a.radius_mm, between(1.0, 10'000.0, "mm"), "Draw the skin up to this radius");
+  command.add_option("--title", a.title, "Title above the picture");
+  addSetting(command, "--png-scale", a.png_scale, between(0.2, 8.0), "PNG: pixels per CSS pixel");
   command.add_flag("--json", a.json, "Print one JSON object");
 }
 

@@ -219,11 +219,10 @@ void runSolve(const SolveArguments& arguments) {
 }  // namespace
 
 void addTissueSolveCommand(Command& parent) {
-  const auto [command, a] = addCommand(
-      parent, "solve",
-      "Press a sphere into layers over bone and drag their skin (finite elements); exit code 1: not as deep as asked, "
-      "what was reached is written",
-      runSolve);
+  const auto [command, a] = addCommand(parent, "solve",
+                                       "Press a sphere into layers over bone and drag their skin (finite elements); "
+                                       "exit code 1: the table ends above the requested depth",
+                                       runSolve);
   command
       .add_option("--layer", a.layers,
                   "NAME:THICKNESS:MODULUS, as in skin:2mm:150kPa; repeat it from the skin down to the bone")
@@ -232,28 +231,28 @@ void addTissueSolveCommand(Command& parent) {
   addSetting(command, "--poisson", a.poisson, between(0.0, 0.499), "Poisson's ratio of every layer");
   addSetting(command, "--indenter-radius-mm", a.indenter_radius_mm, between(0.5, 100.0, "mm"),
              "Radius of the rigid sphere");
-  command.add_option("--depths", a.depths, "Depths to tell, in mm: FROM:TO:STEP or a list with commas")
+  command.add_option("--depths", a.depths, "Depths to write (mm): FROM:TO:STEP or a list with commas")
       ->capture_default_str();
-  addSetting(command, "--fineness", a.fineness, between(0.5, 4.0), "Of the mesh: 2 makes elements half as large");
+  addSetting(command, "--fineness", a.fineness, between(0.5, 4.0),
+             "Fineness of the mesh; 2 halves the size of elements");
   Option* bone_radius =
       addSetting(command, "--bone-radius-mm", a.bone_radius_mm, between(0.0, 100.0, "mm"),
-                 "0: the bone is a plane; otherwise a post with a round top, and the deepest layer goes on around it");
-  command.add_flag("--flat-bone", a.flat_bone, "The post's top is flat")->needs(bone_radius);
+                 "Radius of the bone: 0 for a plane, otherwise a post with a round top within the deepest layer");
+  command.add_flag("--flat-bone", a.flat_bone, "Make the top of the post flat")->needs(bone_radius);
   addSetting(command, "--contact-kpa-per-mm", a.contact_kpa_per_mm, between(100.0, 1e6),
-             "Of the springs that stand for a rigid sphere");
-  command.add_flag("--no-drag", a.no_drag, "Only the press");
+             "Stiffness of the springs that model a rigid sphere");
+  command.add_flag("--no-drag", a.no_drag, "Solve only the press");
   command.add_flag("--fingers", a.fingers,
-                   "Press spheres of 1 to 24 mm too (some 20 s): a scene then takes the table's own forces for a "
-                   "finger's radius instead of the shipped stacks' ratio");
+                   "Also press spheres of 1 to 24 mm (about 20 s), so that a scene uses the table's own forces for a "
+                   "finger's radius instead of the shipped ratio");
   Option& field = *command.add_flag(
       "--field", a.field,
-      "Write the strain energy under each press into the table too, down to the deepest of --depths: lumps need it");
+      "Also write the strain energy under each press, down to the deepest of --depths; lumps need it");
   command
-      .add_option(
-          "--lump", a.lump,
-          "Press over a lump: DIAMETER:DEPTH:MODULUS, its depth being that of its top under the skin, as in "
-          "10mm:6mm:60kPa, 12x6mm:6mm:60kPa if it is flat; a fourth part, 0 (sharp, default) to 1, makes its edge "
-          "soft. Without drag and field")
+      .add_option("--lump", a.lump,
+                  "Press over a lump, without drag and field: DIAMETER:DEPTH:MODULUS with the depth of its top, such "
+                  "as 10mm:6mm:60kPa, or 12x6mm:6mm:60kPa for a flat one; a fourth part, 0 (sharp, default) to 1, "
+                  "softens its edge")
       ->excludes(&field);
   namesFileToWrite(command.add_option("-o,--out", a.output, "Table to write (JSON)"));
   command.add_option("--plot", a.plot, "Picture to write: .png or .svg");

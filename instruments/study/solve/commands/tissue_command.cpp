@@ -17,7 +17,7 @@ void addFitCommand(Command& tissue) {
 
 void addTissueCommand(Command& app) {
   Command& tissue = *app.add_subcommand(
-      "tissue", "Layered tissue: solved and shown, force laws and profiles fitted, realism, published moduli");
+      "tissue", "Solve and show layered tissue, fit force laws and profiles, check realism, list published moduli");
   tissue.require_subcommand(1);
   addTissueLibraryCommand(tissue);
   addTissueModuliCommand(tissue);

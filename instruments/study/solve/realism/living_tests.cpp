@@ -95,7 +95,7 @@ LivingTests readLivingTests(const std::filesystem::path& list_or_folder) {
       ++result.left_out;
     }
   });
-  if (result.tests.empty()) throw Error::inFile(file.string(), "has no row with Thickness and Total_Stiff");
+  if (result.tests.empty()) throw Error::inFile(file.string(), "has no rows with Thickness and Total_Stiff");
   return result;
 }
 

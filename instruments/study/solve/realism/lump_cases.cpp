@@ -23,7 +23,7 @@ constexpr double kPercent = 0.01;
 /// Whether the first of two alternative keys is given.
 bool hasFirst(const Json& json, const char* first, const char* second) {
   if (json.contains(first) == json.contains(second))
-    throw Error(fmt::format("a lump takes {} or {}, one of the two", first, second));
+    throw Error(fmt::format("a lump must have either {} or {}", first, second));
   return json.contains(first);
 }
 
@@ -31,7 +31,7 @@ bool hasFirst(const Json& json, const char* first, const char* second) {
 /// would change the press are refused. Other keys are the solver's notes.
 tissue::LumpShape lumpFrom(const Json& json) {
   for (const char* key : {"mobility_mm_per_n", "raise_mm"}) {
-    if (json.value(key, 0.0) != 0.0) throw Error(fmt::format("a lump of a solved press has no {}", key));
+    if (json.value(key, 0.0) != 0.0) throw Error(fmt::format("a lump of a solved press must not have {}", key));
   }
   tissue::LumpShape lump;
   if (hasFirst(json, "half_axes_mm", "diameter_mm")) {

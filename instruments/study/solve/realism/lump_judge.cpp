@@ -38,7 +38,7 @@ KnownStack solvedStack(const tissue::LayerStack& stack) {
   settings.field_depths_mm = elements::fieldDepths(std::min(kDeepestMm, kShare * tissue::totalThickness(stack)));
   settings.depths_mm = {settings.field_depths_mm.back()};
   const elements::PressSolution solution = elements::solvePress(stack, settings);
-  if (!solution.table.field) throw Error("a stack cannot be pressed: " + solution.stopped_by);
+  if (!solution.table.field) throw Error("cannot solve a press on a stack: " + solution.stopped_by);
   return {stack, *solution.table.field};
 }
 

@@ -22,7 +22,7 @@ elements::PressSolution reachedPress(const tissue::LayerStack& stack, elements::
   settings.depths_mm = {depth_mm};
   elements::PressSolution solution = elements::solvePress(stack, settings);
   if (!solution.stopped_by.empty()) {
-    throw Error(fmt::format("a press of {:g} mm is not solved: {}", depth_mm, solution.stopped_by));
+    throw Error(fmt::format("cannot solve a press of {:g} mm: {}", depth_mm, solution.stopped_by));
   }
   return solution;
 }
@@ -46,7 +46,7 @@ HertzCheck checkHertz() {
       .rows = {.first_mm = 0.1, .fewest = 2, .most = 40}};
   elements::PressModel model({{{"", kBlockMm, kYoungKpa}}, kPoisson}, fine, kSphereMm, kRigidKpaPerMm);
   const elements::Equilibrium found = elements::settle(model, model.atRest(), kDepthMm, {});
-  if (!found.found()) throw Error("a small press on a deep block is not solved: " + found.trouble);
+  if (!found.found()) throw Error("cannot solve a small press on a deep block: " + found.trouble);
   const double radius = std::sqrt(kSphereMm * kDepthMm);
   const double force = 4.0 / 3.0 * kYoungKpa / (1.0 - kPoisson * kPoisson) * radius * kDepthMm;
   return {std::abs(found.balance.force_mn / force - 1.0), std::abs(found.balance.contact_radius_mm / radius - 1.0)};

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kTruncated = "is cut off: the end of the picture is missing; copy the file again";
 /// A camera's has 1 or about 10. Each of a few bytes costs as much as decoding the whole picture.
 constexpr int kMaxScans = 64;
-constexpr std::string_view kDamaged = "is damaged: what should be a marker is none; copy the file again";
+constexpr std::string_view kDamaged = "is damaged: a marker is missing; copy the file again";
 
 class Segments {
  public:

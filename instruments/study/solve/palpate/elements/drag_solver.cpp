@@ -56,9 +56,9 @@ HexMotion solved(const HexBlock& block, const DragSettings& settings, Load load)
 void check(const tissue::LayerStack& stack, const DragSettings& settings) {
   tissue::check(stack);
   const double patch = settings.patch_radius_mm;
-  if (!(patch >= 2.0 && patch <= 50.0)) throw Error(fmt::format("a patch of {:g} mm: it must have 2 to 50", patch));
+  if (!(patch >= 2.0 && patch <= 50.0)) throw Error(fmt::format("the patch is {:g} mm; it must be 2 to 50 mm", patch));
   if (!(settings.half_width_mm >= 4.0 * patch && settings.half_width_mm <= 2000.0)) {
-    throw Error(fmt::format("a block of {:g} mm to each side: it must have four radii of the patch to 2000",
+    throw Error(fmt::format("the block is {:g} mm to each side; it must be four radii of the patch to 2000 mm",
                             settings.half_width_mm));
   }
   if (settings.fineness >= 0.5 && settings.fineness <= 4.0) return;

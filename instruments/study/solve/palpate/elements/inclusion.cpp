@@ -55,11 +55,11 @@ double youngModulusAt(const Inclusion& lump, double radius_mm, double depth_mm, 
 void check(const Inclusion& lump, const tissue::LayerStack& stack) {
   const double total = tissue::totalThickness(stack);
   if (!(lump.top_mm > 0.0 && lump.into_mm > 0.0 && lump.across_mm > 0.0 && lump.bottomMm() < total)) {
-    throw Error(fmt::format("a lump from {:g} to {:g} mm under the skin must lie within layers of {:g} mm", lump.top_mm,
-                            lump.bottomMm(), total));
+    throw Error(fmt::format("a lump from {:g} to {:g} mm under the skin must be within the layers, {:g} mm",
+                            lump.top_mm, lump.bottomMm(), total));
   }
   if (lump.across_mm > 50.0)
-    throw Error(fmt::format("a lump {:g} mm across is too wide; at most 100 mm", 2.0 * lump.across_mm));
+    throw Error(fmt::format("a lump {:g} mm across is too wide; it must be at most 100 mm", 2.0 * lump.across_mm));
   if (!(lump.edge >= 0.0 && lump.edge <= 1.0))
     throw Error(fmt::format("the lump's edge is {:g}; it must be 0 to 1", lump.edge));
   if (lump.young_kpa && !(*lump.young_kpa >= 0.01 && *lump.young_kpa <= 1e6)) {

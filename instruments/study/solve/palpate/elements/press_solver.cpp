@@ -186,20 +186,20 @@ void check(const tissue::LayerStack& stack, const PressSettings& settings) {
   checkSize("the bone's radius in mm", settings.bone_radius_mm, 0.0, 100.0);
   checkSize("the first step in mm", settings.first_step_mm, 1e-3, 5.0);
   checkSize("the longest step in mm", settings.longest_step_mm, 1e-3, 10.0);
-  if (settings.depths_mm.empty()) throw Error("no depth is asked for");
+  if (settings.depths_mm.empty()) throw Error("no depths to solve; give at least one");
   const double before = checkedLastDepth(settings.depths_mm);
   const double field = checkedLastDepth(settings.field_depths_mm);
   if (field > 0.0 && settings.bone_radius_mm > 0.0) throw Error("a field needs a plane bone, not a post");
   if (settings.lump) {
     check(*settings.lump, stack);
     if (settings.bone_radius_mm > 0.0) throw Error("a lump needs a plane bone, not a post");
-    if (field > 0.0) throw Error("a field is that of a press without a lump: ask for one of the two");
+    if (field > 0.0) throw Error("a field cannot be solved with a lump; choose one of the two");
   }
   const double total = tissue::totalThickness(stack);
   const double deepest = std::max(before, field);
   if (deepest < total) return;
   throw Error(
-      fmt::format("a depth of {:g} mm reaches the bone: the layers are {:g} mm thick together", deepest, total));
+      fmt::format("a depth of {:g} mm reaches the bone; the layers are {:g} mm thick in total", deepest, total));
 }
 
 std::vector<double> tableRadii(double disc_radius_mm) {

@@ -72,12 +72,12 @@ TEST(LumpSolver, RefusesLumpsThatDoNotLieInTheLayers) {
     return support::thrownMessage([&] { solvePress(backStack(), settings); });
   };
   EXPECT_EQ(fault(overLump(10.0, 31.0, 60.0)),
-            "a lump from 31 to 41 mm under the skin must lie within layers of 40 mm");
+            "a lump from 31 to 41 mm under the skin must be within the layers, 40 mm");
   EXPECT_EQ(fault(overLump(10.0, 3.0, 0.0)), "the lump's modulus is 0 kPa; it must be 0.01 to 1e6");
   EXPECT_EQ(fault(overLump(10.0, 3.0, 60.0, 2.0)), "the lump's edge is 2; it must be 0 to 1");
   PressSettings both = overLump(10.0, 3.0, 60.0);
   both.field_depths_mm = {1.0, 2.0};
-  EXPECT_EQ(fault(both), "a field is that of a press without a lump: ask for one of the two");
+  EXPECT_EQ(fault(both), "a field cannot be solved with a lump; choose one of the two");
 }
 
 TEST(PressFieldOfTheSolver, LeavesTheForcesAsTheyAreAndTellsThePattern) {

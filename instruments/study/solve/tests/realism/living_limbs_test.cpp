@@ -56,7 +56,7 @@ TEST(LivingTests, OfAnotherTableAreRefusedWithFileAndLine) {
     EXPECT_NE(row(fields).find(where), std::string::npos) << fields;
   }
   EXPECT_NE(complaint(std::string(kHeader) + std::string("0,6,\0,20", 8)).find(kLivingList), std::string::npos);
-  EXPECT_NE(complaint(kHeader).find("has no row with Thickness and Total_Stiff"), std::string::npos);
+  EXPECT_NE(complaint(kHeader).find("has no rows with Thickness and Total_Stiff"), std::string::npos);
   EXPECT_NE(complaint(std::string((16u << 20u) + 1, ' ')).find(kLivingList), std::string::npos) << "too large";
 }
 

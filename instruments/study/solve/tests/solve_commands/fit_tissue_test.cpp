@@ -223,7 +223,7 @@ TEST_F(FitProfile, NamesTheLineOfWhatItCannotRead) {
   EXPECT_NE(runForError("profile skin.csv --layer skin").find("expected NAME:THICKNESS:MODULUS"), std::string::npos);
   write("two.csv", "curve,depth_mm,force_n\na,1,1\nb,1,1\n");
   EXPECT_EQ(runForError("profile skin.csv --forces two.csv"),
-            "palpate: two.csv: holds several curves; a table of tissue has one\n");
+            "palpate: two.csv: holds several curves; expected one, for a table of tissue\n");
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST_F(LumpCommand, RefusesInOneLine) {
   refuses("lump show --depth-mm 2", "the top must be at least 0.5 mm below the skin layer");
   refuses("lump show --depth-mm 8 --thickness-mm 12", "reaches the bone");
   refuses("lump show --ratio 3 --young-kpa 30", "not both");
-  refuses("lump check", "give --cases FILE or --solve SEED");
+  refuses("lump check", "expected either --cases FILE or --solve SEED");
   refuses("lump check --cases nothing.json", "nothing.json");
 }
 

@@ -117,7 +117,7 @@ TEST_F(TissueCommand, ComparesStacksAtTheDepthThatTheyShare) {
 
 TEST_F(TissueCommand, NamesWhatItCannotShow) {
   EXPECT_EQ(runForError("show thin.json fat.json --depth 9"),
-            "palpate: fat.json: has no shape of --depth 9: it reaches from 2 to 8 mm\n");
+            "palpate: fat.json: has no shape at --depth 9; it covers 2 to 8 mm\n");
   EXPECT_EQ(runForError("show thin.json -o shown.jpg"), "palpate: shown.jpg: a plot's name must end in .png or .svg\n");
   EXPECT_NE(runForError("show none.json").find("none.json"), std::string::npos);
   json broken = tableOf(4.0, 10.0);
