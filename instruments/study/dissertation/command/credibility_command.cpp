@@ -69,8 +69,8 @@ void addCredibilityCommand(Command& study) {
   CredibilityArguments& a = *arguments;
   Command& command = *study.add_subcommand(
       "credibility",
-      "Why this release's figures may be trusted, in the shape of ASME V&V 40: verification, validation by data set, "
-      "uncertainty, limits, all computed now (about a minute). Exit code 0 when every bar holds, 1 otherwise");
+      "Compute why this release's figures may be trusted, after ASME V&V 40: verification, validation by data set, "
+      "uncertainty, limits (about a minute). Exit code 0 if every bar holds, 1 otherwise");
   namesFileToWrite(command.add_option("-o,--out", a.files, "File to write, repeatable: .html or .json"))
       ->check(wrongEnding);
   command.add_option("--question", a.question, "Question of interest (default: teaching and examining palpation)");
@@ -88,8 +88,8 @@ void addCredibilityCommand(Command& study) {
                   "Also compare with presses on living limbs: their list or its folder "
                   "(docs/explanation/tissue.md; half a minute more)")
       ->check(ExistingPath{});
-  addNumber(command, "--seed", a.seed, between(0, 1e15), "Other bodies in the hunt, other draws of the inputs");
-  command.add_flag("--quick", a.quick, "Fewer ticks, stacks and draws: a look at the file, not for its numbers");
+  addNumber(command, "--seed", a.seed, between(0, 1e15), "Seed of the bodies in the hunt and of the inputs");
+  command.add_flag("--quick", a.quick, "Use fewer ticks, stacks and draws, to preview the file, not for its numbers");
   command.add_flag("--json", a.json, "Print one JSON object");
   command.callback([arguments] { runCredibility(*arguments); });
 }

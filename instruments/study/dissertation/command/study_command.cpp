@@ -81,17 +81,17 @@ void addPage(Command& parent, const study::Study& study) {
                          "Write the page (" + study.name +
                              ".md) with its figures (PNG, SVG) and tables (CSV) into this folder; made when missing"));
   command.add_flag("--quick", arguments.quick,
-                   "Small models and few repetitions: a look at the page, not a measurement");
+                   "Use small models and few repetitions, to preview the page, not to measure");
   command.add_flag("--json", arguments.json, "Print the findings and main numbers as one JSON object");
   if (study.draws) {
-    addNumber(command, "--seed", arguments.seed, between(0, 1e15), "Other cases for each");
-    addNumber(command, "--cases", arguments.cases, between(2, 100000), "How many good ones are drawn");
+    addNumber(command, "--seed", arguments.seed, between(0, 1e15), "Seed of the cases");
+    addNumber(command, "--cases", arguments.cases, between(2, 100000), "Number of good cases to draw");
   }
   if (study.maps) {
     command.add_flag(
         "--map", arguments.map,
-        "Only the map of what is allowed: random systems at every rate and delay, some minutes on two cores");
-    addNumber(command, "--seed", arguments.seed, between(0, 1e15), "Other systems for the map")->needs("--map");
+        "Compute only the map of what is allowed: random systems at every rate and delay (some minutes on two cores)");
+    addNumber(command, "--seed", arguments.seed, between(0, 1e15), "Seed of the systems for the map")->needs("--map");
   }
   if (!study.families.empty()) {
     command
@@ -148,11 +148,12 @@ void runAll(const AllArguments& arguments) {
 void addStudyAll(Command& parent) {
   const auto [command, arguments] = addCommand(
       parent, "all",
-      "Every study, a page each, and one readable report.html with all figures; some minutes on two cores", runAll);
-  namesFolderToWrite(command.add_option("-o,--out", arguments.folder, "Folder to write into; made when missing"))
+      "Run every study: a page each, and one readable report.html with all figures (some minutes on two cores)",
+      runAll);
+  namesFolderToWrite(command.add_option("-o,--out", arguments.folder, "Folder to write to, created if missing"))
       ->required();
   command.add_flag("--quick", arguments.quick,
-                   "Small models and few repetitions: a look at the report, not a measurement");
+                   "Use small models and few repetitions, to preview the report, not to measure");
 }
 
 namespace {
@@ -174,12 +175,12 @@ void runNumbers(const NumbersArguments& arguments) {
 }
 
 void addNumbers(Command& study) {
-  const auto [command, arguments] = addCommand(
-      study, "numbers",
-      "Printed numbers of the dissertation beside ours, counted apart: from the engine, arithmetic of printed numbers, "
-      "misprints, inconsistent, not computable. Exit code 0 when none differs without an erratum that names ours, 1 "
-      "otherwise",
-      runNumbers);
+  const auto [command, arguments] =
+      addCommand(study, "numbers",
+                 "Compare printed numbers of the dissertation with ours, by group: from the engine, arithmetic of "
+                 "printed numbers, misprints, inconsistent, not computable. Exit code 0 if none differs without an "
+                 "erratum that names ours, 1 otherwise",
+                 runNumbers);
   namesFolderToWrite(command.add_option("-o,--out", arguments.folder,
                                         "Also write numbers.md, numbers.csv and numbers.json into this folder"));
   command.add_flag("--json", arguments.json, "Print one JSON object");
@@ -200,7 +201,7 @@ void runFigures(const FiguresArguments& arguments) {
     }
     return;
   }
-  if (arguments.folder.empty()) throw Error("study figures: --out DIR is needed");
+  if (arguments.folder.empty()) throw Error("study figures: expected --out DIR, the folder to write to");
   warnIfReplacing(arguments.folder, "index.md");
   ProgressLine progress;
   study::writeFigures(chosen, arguments.folder, arguments.scale, progress.callback());
@@ -209,15 +210,14 @@ void runFigures(const FiguresArguments& arguments) {
 }
 
 void addFigures(Command& study) {
-  const auto [command, arguments] = addCommand(study, "figures",
-                                               "Draw figures of the dissertation: PNG, SVG, the curves as CSV, and "
-                                               "index.md with captions and what each is drawn "
-                                               "from",
-                                               runFigures);
-  namesFolderToWrite(command.add_option("-o,--out", arguments.folder, "Folder to write into; made when missing"));
-  command.add_option("--only", arguments.only, "Only these, for example 4.8,5.11")->delimiter(',');
-  addSetting(command, "--scale", arguments.scale, between(0.25, 8.0), "Pixels of the PNG for 1/96 inch");
-  command.add_flag("--list", arguments.list, "Only list what can be drawn");
+  const auto [command, arguments] = addCommand(
+      study, "figures",
+      "Draw figures of the dissertation: PNG, SVG, the curves as CSV, and index.md with captions and sources",
+      runFigures);
+  namesFolderToWrite(command.add_option("-o,--out", arguments.folder, "Folder to write to, created if missing"));
+  command.add_option("--only", arguments.only, "Draw only these, for example 4.8,5.11")->delimiter(',');
+  addSetting(command, "--scale", arguments.scale, between(0.25, 8.0), "PNG: pixels per 1/96 inch");
+  command.add_flag("--list", arguments.list, "List the figures and stop");
 }
 
 struct ErrataArguments {
@@ -244,11 +244,10 @@ void runErrata(const ErrataArguments& arguments) {
 
 void addErrata(Command& study) {
   const auto [command, arguments] = addCommand(study, "errata",
-                                               "What each erratum of the dissertation changes on a scene: forces (N), "
-                                               "proxies (mm), skin (mm), strain (%), against "
-                                               "the corrected engine",
+                                               "Show what each erratum of the dissertation changes on a scene: forces "
+                                               "(N), proxies (mm), skin (mm), strain (%), against the corrected engine",
                                                runErrata);
-  command.add_option("scene", arguments.scene, "Scene file (TOML); the built-in scene when left out");
+  command.add_option("scene", arguments.scene, "Scene file (TOML) (default: the built-in scene)");
   namesFolderToWrite(command.add_option("-o,--out", arguments.folder,
                                         "Also write errata.md, errata.csv and errata.json into this folder"));
   command.add_flag("--json", arguments.json, "Print one JSON object");
@@ -258,7 +257,7 @@ void addErrata(Command& study) {
 }  // namespace
 
 void addStudyCommand(Command& app) {
-  Command& study = *app.add_subcommand("study", "The dissertation's numbers and figures, reproduced");
+  Command& study = *app.add_subcommand("study", "Reproduce the dissertation's numbers and figures");
   study.require_subcommand(1);
   addNumbers(study);
   addFigures(study);

@@ -122,7 +122,7 @@ bool CredibilityFile::holds() const { return std::ranges::all_of(sections, &Cred
 
 const Evidence& CredibilityFile::evidence(std::string_view name) const {
   if (const Evidence* found = findEvidence(sections, name)) return *found;
-  throw Error("study credibility: no evidence is called " + std::string(name));
+  throw Error("study credibility: unknown evidence " + std::string(name));
 }
 
 RiskLevel ContextOfUse::risk() const {

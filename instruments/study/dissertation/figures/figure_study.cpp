@@ -43,7 +43,7 @@ std::vector<DissertationFigure> chosenFigures(const std::vector<std::string>& nu
   if (numbers.empty()) return all;
   for (const std::string& number : numbers) {
     const bool known = std::any_of(all.begin(), all.end(), [&](const auto& figure) { return figure.number == number; });
-    if (!known) throw Error(fmt::format("no figure {}; `palpate study figures --list` names them", number));
+    if (!known) throw Error(fmt::format("unknown figure {}; `palpate study figures --list` lists them", number));
   }
   std::vector<DissertationFigure> chosen;
   std::copy_if(all.begin(), all.end(), std::back_inserter(chosen), [&](const DissertationFigure& figure) {

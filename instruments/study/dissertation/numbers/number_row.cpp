@@ -43,7 +43,7 @@ constexpr double kSlack = 1e-9;
 
 double numberOf(std::string_view text) {
   const auto number = parseNumber(text);
-  if (!number) throw Error(fmt::format("printed number '{}': not a number", text));
+  if (!number) throw Error(fmt::format("printed number '{}' must be a number", text));
   return *number;
 }
 

@@ -43,7 +43,8 @@ double exampleAtP1() {
 
 void addRatios(const PrintedNumbers& printed, Rows& rows) {
   const auto measured = maps::appendixC();
-  if (printed.appendix_c_ratios.size() != measured.size()) throw Error("Appendix C: one printed ratio a row is needed");
+  if (printed.appendix_c_ratios.size() != measured.size())
+    throw Error("Appendix C: expected one printed ratio per row");
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const maps::MeasuredEllipse& row = measured[i];
     const bool swapped = row.major_cm < row.minor_cm;

@@ -86,7 +86,7 @@ void checkChoices(const PartitionArguments& arguments) {
   }
   const LeafSearch& search = arguments.traversal;
   if (search.literal && !suits(*search.literal, arguments.settings.tree)) {
-    throw Error("--traversal " + nameOf(search) + " needs the planes of --tree bsp");
+    throw Error("--traversal " + nameOf(search) + " needs --tree bsp, for its planes");
   }
   if (!arguments.box && !arguments.selection_file.empty()) throw Error("--selection needs a --box");
 }
@@ -169,8 +169,8 @@ void runPartition(const PartitionArguments& arguments) {
 void addBoxOptions(Command& command, PartitionArguments& arguments) {
   const auto read = [&arguments](const std::string& text) { arguments.box = parseBox(text); };
   command
-      .add_option_function(
-          kBox, read, "Haptic detecting box to ask for: centre and edge in mm; without an edge a quarter of the model")
+      .add_option_function(kBox, read,
+                           "Haptic detecting box: centre and edge (mm) (default edge: a quarter of the model)")
       ->type_name("X,Y,Z[,EDGE]");
   addChoice<HdbSize>(command, "--box-size", arguments.box_size,
                      {{"longest-edge", HdbSize::QuarterOfLongestEdge}, {"box", HdbSize::QuarterOfBox}},
@@ -184,7 +184,7 @@ void addBoxOptions(Command& command, PartitionArguments& arguments) {
 
 void addPartitionCommand(Command& study) {
   const auto [command, arguments] = addCommand(
-      study, "partition", "Divide a mesh by a BSP tree or an octree and ask for the triangles in a box", runPartition);
+      study, "partition", "Divide a mesh by a BSP tree or an octree and find the triangles in a box", runPartition);
   addMeshArguments(command, arguments.mesh);
   command.get_option("mesh")->description(kMeshNamesHelp);
   addPartitionSettings(command, arguments.settings);
@@ -192,15 +192,13 @@ void addPartitionCommand(Command& study) {
                   "Assignment C in the octree: majority by axes, or two of three vertices in an octant as printed, "
                   "which loses triangles (E6)");
   addBoxOptions(command, arguments);
-  namesFileToWrite(
-      command.add_option(
-          "-o,--out", arguments.pictures,
-          "Picture, .png or .svg, repeatable: each leaf in a colour of its own, the leaves' boxes; with --box "
-          "beside it what the box finds"))
+  namesFileToWrite(command.add_option("-o,--out", arguments.pictures,
+                                      "Picture to write (.png or .svg), repeatable: leaves in different colours, the "
+                                      "leaves' boxes and, with --box, what the box finds"))
       ->allow_extra_args(false);
   restrictTo(choiceNames(sights()),
-             command.add_option("--view", arguments.side, "Side that the picture is seen from")->capture_default_str());
-  command.add_option("--leaf-colours", arguments.leaves_file, "Write a PLY with each leaf in a colour of its own");
+             command.add_option("--view", arguments.side, "Side to draw the picture from")->capture_default_str());
+  command.add_option("--leaf-colours", arguments.leaves_file, "Write a PLY with each leaf in a different colour");
   command.add_option("--selection", arguments.selection_file,
                      "Write a PLY with the box's leaves in green and its exact triangles in orange");
   command.add_flag("--json", arguments.json, "Print one JSON object");

@@ -116,7 +116,7 @@ figures::Figure partitionFigure(const mesh::TriangleMesh& mesh, const hdb::Parti
 bool isSvgPicture(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
   if (extension == ".png" || extension == ".svg") return extension == ".svg";
-  throw Error::inFile(file.string(), "a picture of a partition is written as .png, .svg");
+  throw Error::inFile(file.string(), "a partition's picture must end in .png or .svg");
 }
 
 }  // namespace palpate::app

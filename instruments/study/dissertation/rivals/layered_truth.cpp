@@ -51,7 +51,7 @@ const LayeredPress& layeredPress(std::string_view tissue, double depth_mm) {
   for (const LayeredPress& press : layeredPresses()) {
     if (press.tissue == tissue && press.depth_mm == depth_mm) return press;
   }
-  throw Error(fmt::format("study rivals: no truth for {} pressed {:g} mm", tissue, depth_mm));
+  throw Error(fmt::format("study rivals: no reference for {} pressed {:g} mm", tissue, depth_mm));
 }
 
 Vec3 trueDisplacement(const LayeredPress& press, const Vec2& place) {

@@ -92,15 +92,15 @@ WrittenMesh::WrittenMesh(const std::string& file_or_name) : file_(file_or_name) 
   int status = 0;
   const bool ended = child > 0 && waitpid(child, &status, 0) == child;
   if (ended && WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  throw Error(file_or_name + ": could not be made and written to a temporary file");
+  throw Error(file_or_name + ": could not be built and written to a temporary file");
 }
 
 void addPartitionSettings(Command& command, hdb::BuildSettings& settings) {
-  addChoice(command, "--tree", settings.tree, "Halves by x, y, z in turn, or eighths");
+  addChoice(command, "--tree", settings.tree, "Tree: halves by x, y, z in turn (bsp), or eighths (octree)");
   addChoice(command, "--assign", settings.assignment,
-            "A triangle that a plane crosses is cut (A), kept on both sides (B) or goes to the side with two of its "
-            "vertices (C)");
-  addSetting(command, "--threshold", settings.threshold, between(1, 4e9), "Triangles up to which a node is a leaf");
+            "Assignment of a triangle that a plane crosses: cut (A), kept on both sides (B) or put on the side with "
+            "two of its vertices (C)");
+  addSetting(command, "--threshold", settings.threshold, between(1, 4e9), "Largest number of triangles in a leaf");
   addChoice<bool>(command, "--leaf-rule", settings.leaf_below_threshold, {{"at-most", false}, {"below", true}},
                   "A leaf holds at most the threshold, or fewer than it as the dissertation's text has it (E7)");
 }

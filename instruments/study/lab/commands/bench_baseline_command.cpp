@@ -38,7 +38,7 @@ bench::KernelTime kernelFrom(const Json& json) {
   time.item = json.value("item", "");
   time.ns = json.value("ns", 0.0);
   time.ratio = json.at("ratio").get<double>();
-  if (!(time.ratio > 0.0) || !std::isfinite(time.ratio)) throw Error("the ratio of " + time.name + " is not above 0");
+  if (!(time.ratio > 0.0) || !std::isfinite(time.ratio)) throw Error("ratio of " + time.name + " must be above 0");
   return time;
 }
 
@@ -52,10 +52,10 @@ Baseline readBaseline(const std::filesystem::path& file) {
     baseline.simd = json.value("machine", Json::object()).value("simd", "");
     baseline.triangles = json.at("triangles").get<std::size_t>();
     if (baseline.triangles < kMinTriangles || baseline.triangles > kMaxTriangles) {
-      throw Error("the number of triangles is not one of a benchmark's back");
+      throw Error("triangles is out of range for a benchmark's back");
     }
     for (const Json& kernel : json.at("kernels")) baseline.kernels.push_back(kernelFrom(kernel));
-    if (baseline.kernels.empty()) throw Error("there are no kernels in it");
+    if (baseline.kernels.empty()) throw Error("kernels must not be empty");
     return baseline;
   } catch (const JsonError& error) {
     throw Error::inFile(file.string(), std::string("not a baseline of `palpate study bench`: ") + error.what());

@@ -90,12 +90,12 @@ void addBenchBatchCommand(Command& parent) {
   Command& command =
       *parent.add_subcommand("batch", "Step many fingers on several threads, each along the path of the scene's first");
   addInputOptions(command, arguments->input);
-  addSetting(command, "--fingers", arguments->batch.fingers, between(1.0, 1e5), "How many fingers");
+  addSetting(command, "--fingers", arguments->batch.fingers, between(1.0, 1e5), "Number of fingers");
   addSetting(command, "--action-ticks", arguments->batch.action_ticks, between(1.0, 1e4),
-             "Ticks that a batch moves a finger before the next one");
+             "Ticks that a batch moves one finger before the next");
   addSetting(command, "--threads", arguments->batch.threads, between(1.0, 1024.0),
              "Number of threads to compare with one");
-  addSetting(command, "--seconds", arguments->batch.seconds, between(0.01, 3600.0, "s"), "How long to measure");
+  addSetting(command, "--seconds", arguments->batch.seconds, between(0.01, 3600.0, "s"), "Duration of the measurement");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {
     arguments->input.radius_given = command.count("--radius-mm") > 0;

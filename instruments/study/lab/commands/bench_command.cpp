@@ -33,7 +33,7 @@ void addWorkloadCommand(Command& parent) {
   };
   auto arguments = std::make_shared<Arguments>();
   Command& command = *parent.add_subcommand("workload", "Write a benchmark mesh (.stl, .obj, .ply) or path (.csv)");
-  command.add_option("name", arguments->name, "Name, as `palpate study bench list` prints it")->required();
+  command.add_option("name", arguments->name, "Name, as listed by `palpate study bench list`")->required();
   namesFileToWrite(command.add_option("-o,--out", arguments->file, "File to write"))->required();
   command.callback([arguments] { writeWorkload(arguments->name, arguments->file); });
 }
@@ -66,7 +66,7 @@ void addBenchCommand(Command& study) {
   addBenchServoCommand(bench);
   addBenchRecordingCommand(bench);
   addWorkloadCommand(bench);
-  bench.add_subcommand("list", "Name the benchmark meshes and trajectories")->callback(printNames);
+  bench.add_subcommand("list", "List the benchmark meshes and trajectories")->callback(printNames);
 }
 
 }  // namespace palpate::app

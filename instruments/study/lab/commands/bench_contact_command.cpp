@@ -168,7 +168,7 @@ void addFingerOptions(Command& command, BenchContactArguments& arguments) {
             "Measure ticks from this time on; falls always whole run");
   addNumber(command, "--to", arguments.window.until_s, between(-1e9, 1e9, "s"), "Measure ticks before this time");
   addSetting(command, "--rounds", arguments.rounds, between(1, 1000),
-             "Of one finger: run so often and take each tick's least time, without what interrupted it once");
+             "For one finger: run this many times and use each tick's shortest time, without single interruptions");
   command.add_flag("--force-shading", arguments.finger.force_shading, "Smooth the force across triangles");
 }
 
@@ -178,12 +178,12 @@ void addHdbOptions(Command& command, BenchContactArguments& arguments) {
       command, "--source", arguments.by_hdb, {{"surface", false}, {"hdb", true}},
       "What is touched: the whole surface, or what the detecting box (HDB) finds, as the options below say");
   addPartitionSettings(command, settings.build);
-  addChoice(command, "--query", settings.hdb.query, "HDB: what the box gives");
-  addChoice(command, "--traversal", settings.hdb.literal, "HDB: how leaves are found; all but the first as printed");
+  addChoice(command, "--query", settings.hdb.query, "HDB: contents of the box");
+  addChoice(command, "--traversal", settings.hdb.literal, "HDB: search for leaves; all but the first as printed");
   addSetting(command, "--hdb-edge-mm", settings.edge_mm, between(0.0, 1e9, "mm"),
-             "HDB: edge of the box; 0 is a quarter of the longest edge");
+             "HDB: edge of the box; 0: a quarter of the longest edge");
   addSetting(command, "--refresh-ticks", settings.hdb.ticks_per_refresh, between(1, 1e6),
-             "HDB: the box follows the proxy every so many ticks");
+             "HDB: number of ticks after which the box follows the proxy");
 }
 
 }  // namespace
@@ -200,7 +200,7 @@ void addBenchContactCommand(Command& parent, std::vector<bench::Peer> peers, std
   addHdbOptions(command, arguments);
   addPeersOption(command, arguments.peers);
   restrictTo(bench::toolNames(),
-             command.add_option("--tool", arguments.tool, "Touch with a tool of several pads instead of one finger"));
+             command.add_option("--tool", arguments.tool, "Tool of several pads to touch with instead of one finger"));
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 

@@ -60,7 +60,7 @@ void addNumbers(Command& command, bench::DeformRun& run) {
     addSetting(command, name, value, between(low, high), help);
   };
   addSetting(command, "--triangles", run.triangles, between(8, 2e7), "Triangles of the back");
-  addSetting(command, "--fingers", run.fingers, between(1, 8), "Fingers, 40 mm apart");
+  addSetting(command, "--fingers", run.fingers, between(1, 8), "Number of fingers, 40 mm apart");
   number("--half-major-mm", run.half_major_mm, "Half major axis of the regions (mm)", 0.001, 1000.0);
   number("--aspect", run.aspect, "Minor over major axis", 0.01, 1.0);
   number("--depth-mm", run.depth_mm, "Depth of the fingers (mm)", 0.0, 100.0);
@@ -82,21 +82,21 @@ void addBenchDeformCommand(Command& parent) {
   bench::DeformRun& run = arguments->run;
   Command& command = *parent.add_subcommand("deform", "Time the deformation of the benchmark's back under fingers");
   addNumbers(command, run);
-  command.add_option("--mesh", arguments->mesh, std::string("In place of the back: ") + kMeshNamesHelp)
+  command.add_option("--mesh", arguments->mesh, std::string("Use instead of the back: ") + kMeshNamesHelp)
       ->excludes("--triangles");
   addPlace(command, "--at", run.at, "With --mesh: where the fingers wander, mm (default: around the highest place)")
       ->needs("--mesh");
-  command.add_flag("--recompute-normals", run.recompute, "Recomputed instead of analytic normals");
-  command.add_flag("--incremental-normals", run.incremental, "Normals from the list of changed triangles");
+  command.add_flag("--recompute-normals", run.recompute, "Recompute normals instead of computing them analytically");
+  command.add_flag("--incremental-normals", run.incremental, "Compute normals from the list of changed triangles");
   command.add_flag("--strain", run.strain, "Also write the strain");
   command.add_flag("--principal-strain", run.principal, "Also write the principal strain");
   command.add_flag(
       "--layered", run.layered,
-      "Curves of layered tissue in place of the half Gaussian, with regions of their own, 40 mm over the bone");
-  command.add_flag("--general", run.general, "The deformer of every form, even where the fast one would do");
+      "Use curves of layered tissue instead of the half Gaussian, with separate regions, 40 mm over the bone");
+  command.add_flag("--general", run.general, "Use the general deformer even where the fast one would do");
   command.add_flag("--peers", arguments->peers, "Also print the dissertation's own deformation, timed in the same run");
   command.add_flag("--skip-literal", arguments->skip_literal,
-                   "Leave the dissertation's deformation out: it takes 500 bytes of memory a vertex");
+                   "Leave out the dissertation's deformation, which takes 500 bytes of memory per vertex");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] {
     arguments->run.literal = !arguments->skip_literal;

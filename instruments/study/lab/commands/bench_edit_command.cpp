@@ -123,7 +123,7 @@ class EditedServo {
   void waitUntil(const Ready& ready) {
     const Clock::time_point start = Clock::now();
     while (!ready()) {
-      if (secondsSince(start) > kPatienceS) throw Error("the servo loop did not take the edit");
+      if (secondsSince(start) > kPatienceS) throw Error("the servo loop did not apply the edit in time");
       servo_.exchange();
       readSamples();
       std::this_thread::sleep_for(std::chrono::microseconds(50));
@@ -199,9 +199,9 @@ void runEditBench(const EditArguments& arguments) {
 
 void addBenchEditCommand(Command& parent) {
   const auto [command, arguments] =
-      addCommand(parent, "edit", "Change a dysfunction under a pressing finger: how soon it is felt", runEditBench);
+      addCommand(parent, "edit", "Time how soon a changed dysfunction is felt under a pressing finger", runEditBench);
   command.add_option("FILE", arguments.mesh, kMeshNamesHelp)->capture_default_str();
-  addSetting(command, "--edits", arguments.edits, between(1.0, 10000.0), "How many, 2 % each");
+  addSetting(command, "--edits", arguments.edits, between(1.0, 10000.0), "Number of edits, 2 % each");
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 

@@ -237,22 +237,25 @@ void addBenchFrameCommand(Command& parent) {
   FrameRun& run = arguments->run;
   Command& command = *parent.add_subcommand("frame", "Time pictures without a window: deformation, upload and drawing");
   addSetting(command, "--triangles", run.triangles, between(1000, 4e6),
-             "Triangles of the skin; 18,296 of bones come on top");
-  command.add_flag("--trunk", run.trunk, "On the closed trunk (an even number of triangles) instead of the torso");
+             "Triangles of the skin; 18,296 of bones are added");
+  command.add_flag("--trunk", run.trunk, "Draw the closed trunk (an even number of triangles) instead of the torso");
   Choices<view::Shading> shadings = makeChoices<view::Shading>();
   shadings.insert(shadings.begin(), {"pbr", view::Shading::skin});
-  addChoice(command, "--shading", run.shading, shadings, "Light at the vertices, or skin (pbr: its earlier name)");
+  addChoice(command, "--shading", run.shading, shadings,
+            "Shading: light at the vertices, or skin (pbr: its earlier name)");
   command.add_option("--stereo", arguments->stereo, "Stereo mode: mono, sbs-half, sbs-full, anaglyph-dubois, ...")
       ->capture_default_str();
   addSetting(command, "--width", run.width, between(16, 8192, "pixels"), "Width of the picture");
-  addSetting(command, "--height", run.height, between(16, 8192, "pixels"), "Height");
-  addSetting(command, "--skin-opacity", run.skin_opacity, between(0.0, 1.0), "Below 1 the bones show through");
+  addSetting(command, "--height", run.height, between(16, 8192, "pixels"), "Height of the picture");
+  addSetting(command, "--skin-opacity", run.skin_opacity, between(0.0, 1.0),
+             "Opacity of the skin; below 1 the bones show through");
   addSetting(command, "--seconds", run.seconds, between(0.0, 600.0, "s"),
-             "How long to repeat; the best picture of each place counts");
-  command.add_flag("--close", run.close, "From near by: 100 mm of the body from the lower to the upper edge");
+             "Duration of the repetitions; the best picture of each place counts");
+  command.add_flag("--close", run.close, "Draw from nearby: 100 mm of the body from the lower to the upper edge");
   command.add_flag("--cull,!--no-cull", run.cull, "Leave out skin that is outside the picture (default)");
-  command.add_flag("--no-labels", arguments->no_labels, "Without scale, orientation and numbers");
-  command.add_flag("--peers", arguments->peers, "As in the other benchmarks; no other library draws this picture");
+  command.add_flag("--no-labels", arguments->no_labels, "Draw no scale, orientation or numbers");
+  command.add_flag("--peers", arguments->peers,
+                   "Accepted as in the other benchmarks; no other library draws this picture");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments] {
     arguments->run.stereo = view::stereoModeNamed(arguments->stereo);

@@ -282,7 +282,7 @@ void addBenchLoadCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "load", "Time everything from a mesh file to the first force felt", runLoadBench);
   command.add_option("FILE", arguments.file, kMeshNamesHelp)->required();
-  command.add_flag("--peers", arguments.peers, "Also how long assimp reads the same file");
+  command.add_flag("--peers", arguments.peers, "Also time how long assimp reads the same file");
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 

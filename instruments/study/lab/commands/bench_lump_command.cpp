@@ -60,7 +60,7 @@ void runLumpBench(const BenchLumpArguments& arguments) {
 void addBenchLumpCommand(Command& parent) {
   const auto [command, arguments] =
       addCommand(parent, "lump", "Time lumps under a finger and the pressure on its pad", runLumpBench);
-  addSetting(command, "--seconds", arguments.seconds, between(0.01, 600.0, "s"), "How long to measure");
+  addSetting(command, "--seconds", arguments.seconds, between(0.01, 600.0, "s"), "Duration of the measurement");
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }
 

@@ -106,7 +106,7 @@ void addBenchPartitionCommand(Command& parent, std::vector<bench::Peer> peers) {
   addSetting(command, "--speed-mm-s", run.speed_mm_s, between(0.0, 1e6, "mm/s"), "Speed of the finger");
   addSetting(command, "--margin", run.margin, between(0.0, 10.0),
              "Margin of the coherent list, as a share of the box's edge");
-  addSetting(command, "--ticks", run.ticks, between(1, 1e6), "Ticks of 1 ms to slide");
+  addSetting(command, "--ticks", run.ticks, between(1, 1e6), "Number of ticks of 1 ms to slide");
   addPeersOption(command, arguments.peers);
   command.add_flag("--json", arguments.json, "Print one JSON object");
 }

@@ -29,7 +29,7 @@ class ScratchFolder {
  public:
   explicit ScratchFolder(const std::filesystem::path& beside) {
     std::string pattern = (beside / "palpate_bench_session_XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw Error::inFile(beside.string(), "cannot be written");
+    if (::mkdtemp(pattern.data()) == nullptr) throw Error::inFile(beside.string(), "cannot be written to");
     folder_ = pattern;
   }
   ~ScratchFolder() {
@@ -94,13 +94,13 @@ void runRecordingBench(const RecordingArguments& arguments) {
 void addBenchRecordingCommand(Command& parent) {
   const auto arguments = std::make_shared<RecordingArguments>();
   Command& command =
-      *parent.add_subcommand("recording", "Record, replay and search recordings: cost a tick, bytes, speed");
+      *parent.add_subcommand("recording", "Time recording, replay and search: cost per tick, bytes, speed");
   addInputOptions(command, arguments->input);
-  addSetting(command, "--seconds", arguments->run.seconds, between(1.0, 36000.0, "s"), "How much to record and replay");
+  addSetting(command, "--seconds", arguments->run.seconds, between(1.0, 36000.0, "s"), "Duration to record and replay");
   addSetting(command, "--hours", arguments->run.long_hours, between(0.01, 100.0, "h"),
-             "Length of the recording that is searched; about 0.1 GB an hour of two fingers");
+             "Length of the recording to search; two fingers take about 0.1 GB per hour");
   command.add_option("--folder", arguments->run.folder,
-                     "Where the files are written for a while (default: the system's temporary folder)");
+                     "Folder for the temporary files (default: the system's temporary folder)");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {
     arguments->input.radius_given = command.count("--radius-mm") > 0;

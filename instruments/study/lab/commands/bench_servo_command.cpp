@@ -113,8 +113,8 @@ void addBenchServoCommand(Command& parent) {
   Command& command = *parent.add_subcommand("servo", "Run the servo loop in real time: lateness and compute time");
   addInputOptions(command, arguments->input);
   addSetting(command, "--seconds", arguments->input.seconds, between(0.01, 3600.0, "s"),
-             "How long to measure; paths repeat");
-  command.add_flag("--peers", arguments->peers, "Also the naive loop: sleep_until, default scheduling");
+             "Duration of the measurement; paths repeat");
+  command.add_flag("--peers", arguments->peers, "Also run the naive loop: sleep_until, default scheduling");
   command.add_flag("--json", arguments->json, "Print one JSON object");
   command.callback([arguments, &command] {
     arguments->input.radius_given = command.count("--radius-mm") > 0;

@@ -78,17 +78,18 @@ lab::NamedBody outsideBody(const std::string& name, const HuntArguments& argumen
 void addBodyOptions(Command& command, HuntArguments& a) {
   command.add_option(
       "--mesh", a.meshes,
-      "Body from outside, repeatable; alone, or with --generated beside the others. " + std::string(kMeshNamesHelp));
+      "Your own body, repeatable; with --generated in addition to the generated ones. " + std::string(kMeshNamesHelp));
   addUnit(command, a.unit_mm);
-  command.add_option("--group", a.group, "Only this group or object of OBJ files");
-  addNumber(command, "--fit-mm", a.fit_mm, between(0.0, 1e9, "mm"),
-            "Scale each file's body to this diagonal; 0: never (default: to 400 mm where it is below 20 mm or "
-            "above 10 m)");
-  command.add_flag("--generated", a.generated, "Generated bodies too, beside --mesh");
-  command.add_option("--kind", a.kinds, "Generated bodies of this kind alone, repeatable (docs/howto/hunt.md)");
-  addSetting(command, "--bodies", a.bodies, between(0, 1e9), "Generated bodies; 0: one for every 20,000 ticks");
+  command.add_option("--group", a.group, "Use only this group or object of OBJ files");
+  addNumber(
+      command, "--fit-mm", a.fit_mm, between(0.0, 1e9, "mm"),
+      "Scale each file's body to this diagonal; 0: never (default: to 400 mm if it is below 20 mm or above 10 m)");
+  command.add_flag("--generated", a.generated, "Use generated bodies too, with --mesh");
+  command.add_option("--kind", a.kinds, "Use only generated bodies of this kind, repeatable (docs/howto/hunt.md)");
+  addSetting(command, "--bodies", a.bodies, between(0, 1e9),
+             "Number of generated bodies; 0: one for every 20,000 ticks");
   addSetting(command, "--scale", a.scale, between(1e-6, 1e6),
-             "Everything so many times as large: bodies, paths and fingers");
+             "Factor that scales everything: bodies, paths and fingers");
   addSetting(command, "--lumps", a.lumps, between(0, 64),
              "Lumps under the skin of each body, every second one mobile; a second finger follows the first");
 }
@@ -97,19 +98,18 @@ void addBodyOptions(Command& command, HuntArguments& a) {
 void addHuntOptions(Command& command, HuntArguments& a) {
   Option* ticks = addSetting(command, "--ticks", a.ticks, between(1, 1e12), "Ticks (of 1 ms) to hunt for");
   addNumber(command, "--seconds", a.seconds, between(1e-3, 1e7, "s"),
-            "Hunt for so long, by the clock, instead of --ticks")
+            "Hunt for this time, by the clock, instead of --ticks")
       ->excludes(ticks);
-  addSetting(command, "--seed", a.seed, {{0.0}}, "Of bodies and paths: the same seed gives the same hunt");
+  addSetting(command, "--seed", a.seed, {{0.0}}, "Seed of bodies and paths; the same seed gives the same hunt");
   addNumber(command, "--radius-mm", a.radii_mm, between(0.0, 1000.0, "mm"),
             "Radius of the finger, repeatable (default: 0, 0.5, 2, 5 and 8)");
   addBodyOptions(command, a);
-  addSetting(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors");
+  addSetting(command, "--threads", a.threads, between(0, 1024), "Number of threads; 0: one per processor");
   namesFolderToWrite(command.add_option(
       "-o,--out", a.out,
-      "Folder for failing cases, made short: body.ply, path.csv, scene.toml (palpate simulate runs it), "
-      "note.txt"));
-  addSetting(command, "--keep", a.keep, between(0, 1e6), "Cases that are written of each fault");
-  command.add_option("--replay", a.replay, "Judge a written case again instead of hunting, repeatable")
+      "Folder for failing cases, shortened: body.ply, path.csv, scene.toml (for palpate simulate), note.txt"));
+  addSetting(command, "--keep", a.keep, between(0, 1e6), "Number of cases to write per fault");
+  command.add_option("--replay", a.replay, "Check a written case again instead of hunting, repeatable")
       ->excludes("--mesh");
   command.add_flag("--json", a.json, "Print one JSON object");
 }

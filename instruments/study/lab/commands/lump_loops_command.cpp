@@ -124,17 +124,18 @@ void addLumpLoopsCommand(Command& lump) {
   const auto [command, a] = addCommand<LumpLoopsArguments>(
       lump, "loops", "Check that lumps give no energy away on random paths (exit code 0: they do not, 1: they do)",
       runLumpLoops);
-  addSetting(command, "--paths", a.closed.paths, between(1, 1e7), "Closed paths without friction over fixed lumps");
+  addSetting(command, "--paths", a.closed.paths, between(1, 1e7),
+             "Number of closed paths without friction over fixed lumps");
   addSetting(command, "--step-mm", a.closed.step_mm, between(0.001, 1.0, "mm"),
-             "Step of a closed path, on average; twice and four times as long ones are taken too");
+             "Mean step of a closed path; steps twice and four times as long are used too");
   addSetting(command, "--hands", a.held.paths, between(1, 1e6),
-             "Paths of simulated hands over a mobile lump, every second one with two fingers");
-  addSetting(command, "--seconds", a.held.seconds, between(0.5, 60.0, "s"), "How long a hand's path lasts");
+             "Number of paths of simulated hands over a mobile lump, every second one with two fingers");
+  addSetting(command, "--seconds", a.held.seconds, between(0.5, 60.0, "s"), "Duration of a hand's path");
   addSetting(command, "--systems", a.stiffest.systems, between(1, 1e5),
-             "Random devices and hands that are kicked over the stiffest lump");
+             "Number of random devices and hands to kick over the stiffest lump");
   addSetting(command, "--seed", a.seed, between(0, 1e15),
-             "Of lumps, paths and hands: the same seed gives the same result");
-  addSetting(command, "--threads", a.threads, between(0, 1024), "Threads; 0: as many as there are processors");
+             "Seed of lumps, paths and hands; the same seed gives the same result");
+  addSetting(command, "--threads", a.threads, between(0, 1024), "Number of threads; 0: one per processor");
   command.add_flag("--json", a.json, "Print one JSON object");
 }
 

@@ -46,12 +46,11 @@ bool lacksPeersProgram(const PeerFigures& figures) {
 }  // namespace
 
 void addPeersOption(Command& command, PeersOption& option) {
-  command.add_flag(
-      "--peers", option.wanted,
-      "Put the same queries to Embree, CGAL, FCL and the literal dissertation, those of a tool to Bullet and FCL, in "
-      "the same run");
+  command.add_flag("--peers", option.wanted,
+                   "Also time the same queries in Embree, CGAL, FCL and the literal dissertation, those of a tool in "
+                   "Bullet and FCL");
   addSetting(command, "--peer-seconds", option.seconds, between(0.01, 3600.0, "s"),
-             "Time for the queries of each peer; building not counted");
+             "Time for the queries of each peer, without building");
 }
 
 void handOverToPeersProgram(const PeersOption& option) {

@@ -195,17 +195,17 @@ class Hunt {
 };
 
 void check(const HuntPlan& plan) {
-  if (plan.meshes.empty() && !plan.generated) throw Error("a hunt needs a body");
-  if (plan.radii_mm.empty()) throw Error("a hunt needs a radius");
+  if (plan.meshes.empty() && !plan.generated) throw Error("hunt: no body; name one with --mesh, or use --generated");
+  if (plan.radii_mm.empty()) throw Error("hunt: no finger radius; give at least one");
   const std::vector<std::string> kinds = huntedBodyKinds();
   for (const std::string& kind : plan.kinds) {
     if (std::ranges::find(kinds, kind) == kinds.end())
-      throw Error(fmt::format("no kind of hunted body is called '{}'; there are {}", kind, fmt::join(kinds, ", ")));
+      throw Error(fmt::format("unknown kind of body '{}'; expected one of {}", kind, fmt::join(kinds, ", ")));
   }
-  if (plan.ticks == 0 && !plan.seconds) throw Error("a hunt needs a tick");
-  if (!(plan.scale > 0.0) || !std::isfinite(plan.scale)) throw Error("the scale must be above 0");
-  if (plan.lumps > contact::kMaxLumps) throw Error("a body has no room for so many lumps");
-  if (plan.lumps > 0 && plan.scale != 1.0) throw Error("lumps are of a size in mm: they need a scale of 1");
+  if (plan.ticks == 0 && !plan.seconds) throw Error("hunt: no ticks; give at least one, or a time");
+  if (!(plan.scale > 0.0) || !std::isfinite(plan.scale)) throw Error("hunt: the scale must be above 0");
+  if (plan.lumps > contact::kMaxLumps) throw Error("hunt: too many lumps for one body");
+  if (plan.lumps > 0 && plan.scale != 1.0) throw Error("hunt: lumps have a size in mm, so they need a scale of 1");
 }
 
 }  // namespace
@@ -230,7 +230,7 @@ mesh::TriangleMesh huntedMesh(const HuntPlan& plan, const std::string& name) {
   } else {
     const std::size_t at = name.find('#');
     const std::optional<double> seed = at == std::string::npos ? std::nullopt : parseNumber(name.substr(at + 1));
-    if (!seed || !(*seed >= 0.0 && *seed < 1e19)) throw Error(fmt::format("no hunted body is called '{}'", name));
+    if (!seed || !(*seed >= 0.0 && *seed < 1e19)) throw Error(fmt::format("unknown hunted body '{}'", name));
     mesh = huntedBody(name.substr(0, at), static_cast<std::uint64_t>(*seed));
   }
   for (Vec3& p : mesh.positions) p *= plan.scale;

@@ -71,7 +71,7 @@ class Note {
   }
   Fault fault() const {
     const std::optional<Fault> fault = faultNamed(word("fault"));
-    if (!fault) throw Error::inFile(file_, fmt::format("'{}' is not a fault", word("fault")));
+    if (!fault) throw Error::inFile(file_, fmt::format("'{}' is not a known fault", word("fault")));
     return *fault;
   }
 
@@ -108,7 +108,7 @@ void readMesh(KeptCase& kept, const std::filesystem::path& file, const mesh::Loa
 KeptCase caseOfScene(const std::filesystem::path& file) {
   const scene::Scene scene = scene::load(file);
   if (scene.body.kind != scene::BodyKind::mesh || scene.fingers.empty() || scene.fingers[0].trajectory.empty())
-    throw Error::inFile(file.string(), "a scene of a mesh and a finger with a trajectory is wanted");
+    throw Error::inFile(file.string(), "expected a scene of a mesh and a finger with a trajectory");
   KeptCase kept;
   kept.body = scene.body.file.filename().string();
   kept.radius_mm = scene.fingers[0].radius_mm;
@@ -131,7 +131,7 @@ std::string caseFolderName(const KeptCase& kept) {
 void writeCase(const std::filesystem::path& folder, const KeptCase& kept) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw Error::inFile(folder.string(), "the folder cannot be made: " + error.message());
+  if (error) throw Error::inFile(folder.string(), "the folder cannot be created: " + error.message());
   mesh::save(folder / "body.ply", kept.mesh);
   writeFile(folder / "path.csv", pathText(kept));
   writeFile(folder / "scene.toml", sceneText(kept));

@@ -52,7 +52,7 @@ bool isClosed(const mesh::TriangleMesh& mesh) {
 }
 
 mesh::TriangleMesh notEmpty(mesh::TriangleMesh mesh) {
-  if (mesh.triangles.empty()) throw Error("the mesh has no triangle that can be judged");
+  if (mesh.triangles.empty()) throw Error("the mesh has no triangles to check");
   return mesh;
 }
 

@@ -38,7 +38,7 @@ std::vector<SkinPlace> skinPlaces(const mesh::TriangleMesh& mesh, int count, std
     area += mesh::areaVector2(corners[0], corners[1], corners[2]).norm();
     area_up_to.push_back(area);
   }
-  if (!(area > 0.0)) throw Error("study: the model has no area to put a finger on");
+  if (!(area > 0.0)) throw Error("study: the model has no area for a finger");
   Random random(seed);
   std::vector<SkinPlace> places;
   for (int i = 0; i < count; ++i) {

@@ -10,10 +10,9 @@
 int main(int argc, char** argv) {
   palpate::app::Command app{"Palpate's benchmarks beside other libraries.", "palpate_peers"};
   app.require_subcommand(1);
-  palpate::app::Command& study = *app.add_subcommand("study", "As `palpate study`");
+  palpate::app::Command& study = *app.add_subcommand("study", "Run the benchmarks of `palpate study` with peers");
   study.require_subcommand(1);
-  palpate::app::Command& bench =
-      *study.add_subcommand("bench", "Measure the finger and the partitions, and their peers");
+  palpate::app::Command& bench = *study.add_subcommand("bench", "Measure the finger, the partitions and their peers");
   bench.require_subcommand(1);
   palpate::app::addBenchContactCommand(bench, palpate::bench::linkedPeers(), palpate::bench::linkedToolPeers());
   palpate::app::addBenchPartitionCommand(bench, palpate::bench::linkedPeers());

@@ -172,7 +172,7 @@ contact::ToolShape toolNamed(std::string_view name) {
   for (auto& [known, shape] : shapes()) {
     if (known == name) return shape;
   }
-  throw Error("no tool is called '" + std::string(name) + "'");
+  throw Error("unknown tool '" + std::string(name) + "'");
 }
 
 std::vector<contact::ToolPose> posesOnSkin(const ContactWorld& world, const device::Trajectory& trajectory,

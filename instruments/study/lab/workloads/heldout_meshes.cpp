@@ -209,7 +209,7 @@ mesh::TriangleMesh heldoutMesh(std::string_view name) {
   if (name == "huge") return scaledMesh(backMesh(6261), 1e5 / 400);
   if (name == "overlapping_balls") return overlappingBallsMesh();
   if (name == "touching_boxes") return touchingBoxesMesh();
-  throw Error(fmt::format("no held-out mesh is called '{}'", name));
+  throw Error(fmt::format("unknown held-out mesh '{}'", name));
 }
 
 std::vector<std::string> heldoutMeshNames() {

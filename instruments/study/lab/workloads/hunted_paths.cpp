@@ -387,7 +387,7 @@ std::vector<std::string> huntedPathKinds() {
 std::vector<Vec3> huntedPath(OracleBody& body, std::string_view kind, const HuntedPathSettings& settings) {
   const auto* now =
       std::find_if(kPathKinds.begin(), kPathKinds.end(), [&](const PathKind& k) { return kind == k.name; });
-  if (now == kPathKinds.end()) throw Error(fmt::format("no hunted path is called '{}'", kind));
+  if (now == kPathKinds.end()) throw Error(fmt::format("unknown hunted path '{}'", kind));
   PathWriter writer(body, settings);
   const std::size_t share = settings.ticks / (2 + writer.random.below(2)) + 1;
   for (std::size_t end = share; end < settings.ticks + share; end += share) {

@@ -62,7 +62,7 @@ mesh::TriangleMesh huntedShape(std::string_view name, Random& random) {
   const auto& forms = huntedForms();
   const auto* const found =
       std::find_if(forms.begin(), forms.end(), [&](const NamedForm& form) { return name == form.name; });
-  if (found == forms.end()) throw Error(fmt::format("no hunted shape is called '{}'", name));
+  if (found == forms.end()) throw Error(fmt::format("unknown hunted shape '{}'", name));
   return finished(found->make(random), random);
 }
 

@@ -42,7 +42,8 @@ Grid gridFor(const SheetSize& size) {
   if (grid.nx == 0) throw Error("a sheet this narrow needs more triangles");
   grid.ny = size.triangles / 2 / grid.nx;
   grid.missing = size.triangles - 2 * grid.nx * grid.ny;
-  if (grid.missing > 2 * grid.nx) throw Error(fmt::format("{} triangles cannot be reached", size.triangles));
+  if (grid.missing > 2 * grid.nx)
+    throw Error(fmt::format("a sheet of this shape cannot have {} triangles", size.triangles));
   return grid;
 }
 
@@ -122,7 +123,7 @@ double rawBackHeight(double x, double y) {
 std::size_t countAfter(std::string_view prefix, std::string_view name) {
   const std::optional<double> count = parseNumber(name.substr(prefix.size()));
   if (!count || !(*count >= 8 && *count <= 1e8) || std::floor(*count) != *count) {
-    throw Error(fmt::format("no triangle count in the mesh name '{}'", name));
+    throw Error(fmt::format("mesh name '{}' has no valid triangle count", name));
   }
   return static_cast<std::size_t>(*count);
 }
@@ -184,7 +185,7 @@ mesh::TriangleMesh workloadMesh(std::string_view name) {
   if (name == "eggcrate") return eggcrateMesh();
   if (name == "flat100") return flatMesh();
   if (name == "lattice100") return flatMesh(0.0);
-  throw Error(fmt::format("no benchmark mesh is called '{}'", name));
+  throw Error(fmt::format("unknown benchmark mesh '{}'", name));
 }
 
 std::vector<std::string> workloadMeshNames() {

@@ -338,7 +338,7 @@ device::Trajectory workloadPath(std::string_view name) {
   if (name == "lattice_flat") return latticeFlat(500);
   if (name == "lattice_groove") return latticeGroove(501);
   if (auto path = pathWithNumber(name)) return *std::move(path);
-  throw Error(fmt::format("no benchmark trajectory is called '{}'", name));
+  throw Error(fmt::format("unknown benchmark trajectory '{}'", name));
 }
 
 std::vector<PathName> workloadPathNames() {

@@ -111,7 +111,7 @@ TEST(PartitionCommand, NamesWhatIsWrong) {
   expect_wrong("back_2962 --tree bsp --octree-rule two-of-three", "octree");
   expect_wrong("back_2962 --selection found.ply", "--box");
   expect_wrong("torso_many", "torso_N");
-  expect_wrong("back_2962 -o leaves.jpg", ".png, .svg");
+  expect_wrong("back_2962 -o leaves.jpg", ".png or .svg");
 }
 
 TEST(BenchPartitionCommand, PrintsTheFiguresOfTheBox) {

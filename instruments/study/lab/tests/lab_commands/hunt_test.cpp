@@ -76,7 +76,7 @@ TEST_F(HuntCommand, TakesBodiesOfOneKindAndCountsTicksOnThoseWithABorder) {
   EXPECT_EQ(closed["open_ticks"], 0);
   const auto wrong = palpate("study hunt --kind nose --ticks 4000");
   EXPECT_EQ(wrong.exit_code, 2);
-  EXPECT_NE(wrong.err.find("no kind of hunted body is called 'nose'"), std::string::npos) << wrong.err;
+  EXPECT_NE(wrong.err.find("unknown kind of body 'nose'"), std::string::npos) << wrong.err;
 }
 
 TEST_F(HuntCommand, EndsByTheClockToo) {
