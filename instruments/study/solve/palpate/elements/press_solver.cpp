@@ -179,13 +179,13 @@ MeshFineness finenessFor(const PressSettings& settings) {
 
 void check(const tissue::LayerStack& stack, const PressSettings& settings) {
   tissue::check(stack);
-  checkSize("the indenter's radius in mm", settings.indenter_radius_mm, 0.5, 100.0);
-  checkSize("the disc's radius in mm", settings.radius_mm, 4.0 * settings.indenter_radius_mm, 2000.0);
+  checkSize("the indenter's radius (mm)", settings.indenter_radius_mm, 0.5, 100.0);
+  checkSize("the disc's radius (mm)", settings.radius_mm, 4.0 * settings.indenter_radius_mm, 2000.0);
   checkSize("the mesh's fineness", settings.fineness, 0.5, 8.0);
   checkSize("the contact's stiffness in kPa/mm", settings.contact_kpa_per_mm, 1.0, 1e7);
-  checkSize("the bone's radius in mm", settings.bone_radius_mm, 0.0, 100.0);
-  checkSize("the first step in mm", settings.first_step_mm, 1e-3, 5.0);
-  checkSize("the longest step in mm", settings.longest_step_mm, 1e-3, 10.0);
+  checkSize("the bone's radius (mm)", settings.bone_radius_mm, 0.0, 100.0);
+  checkSize("the first step (mm)", settings.first_step_mm, 1e-3, 5.0);
+  checkSize("the longest step (mm)", settings.longest_step_mm, 1e-3, 10.0);
   if (settings.depths_mm.empty()) throw Error("no depths to solve; give at least one");
   const double before = checkedLastDepth(settings.depths_mm);
   const double field = checkedLastDepth(settings.field_depths_mm);
