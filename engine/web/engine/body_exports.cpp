@@ -55,7 +55,7 @@ mesh::Format detectFormat(std::string_view name) {
   for (const auto& [known, format] : kFormats) {
     if (extension == known) return format;
   }
-  throw Error::inFile(name, "is not a mesh that this page reads: STL, OBJ, PLY, OFF, glTF or GLB");
+  throw Error::inFile(name, "is not a mesh that this page reads; expected STL, OBJ, PLY, OFF, glTF or GLB");
 }
 
 /// A TOML string of one line, without the characters that it may not have.
@@ -84,7 +84,7 @@ std::shared_ptr<const scene::World> openMesh(std::string_view bytes, std::string
   options.keep_wrong_indices = true;  // mending leaves such triangles out
   auto [mesh, channels, notes] = mesh::loadWithChannelsFromMemory(bytes, detectFormat(name), name, options);
   if (mesh.triangles.size() > kMaxTriangles) {
-    throw Error::inFile(name, fmt::format("{} triangles are more than the {} that a page can hold",
+    throw Error::inFile(name, fmt::format("has {} triangles; a page can hold at most {}",
                                           mesh.triangles.size(), kMaxTriangles));
   }
   scene::Scene scene;

@@ -23,7 +23,7 @@ const char* catchError(Call&& call) noexcept {
     std::forward<Call>(call)();
     return nullptr;
   } catch (const std::bad_alloc&) {
-    return "there is not enough memory for it in this page";
+    return "there is not enough memory in this page; try a smaller mesh";
   } catch (const std::exception& error) {
     return keptText(error.what());
   } catch (...) {

@@ -103,7 +103,7 @@ PALPATE_EXPORT const Index* palpate_served_corners() { return served->skin().tri
 /// Fails for bytes that are not a frame: a server of another version.
 PALPATE_EXPORT const char* palpate_served_follow(const char* frame, std::size_t length) {
   return catchError([&] {
-    if (!served->follow({frame, length})) throw std::runtime_error("the server is of another version than this page: reload the page");
+    if (!served->follow({frame, length})) throw std::runtime_error("the server and this page have different versions; reload the page");
   });
 }
 PALPATE_EXPORT double palpate_served_tick() { return static_cast<double>(served->newest().tick); }

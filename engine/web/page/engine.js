@@ -49,7 +49,7 @@ export class Engine {
       const places = parts.flatMap((part) => {
         const bytes = typeof part === 'string' ? encoder.encode(part) : part;
         const pointer = this.module._palpate_take(Math.max(1, bytes.length));
-        if (pointer === 0) throw new Error('there is not enough memory for it in this page');
+        if (pointer === 0) throw new Error('there is not enough memory in this page; try a smaller mesh');
         taken.push(pointer);
         this.module.HEAPU8.set(bytes, pointer);
         return [pointer, bytes.length];

@@ -37,7 +37,7 @@ export class Files {
 
   async take(file) {
     if (file.size > MOST_BYTES) {
-      this.hooks.fail(`${file.name}: ${(file.size / 1e6).toFixed(0)} MB are more than the ${MOST_BYTES / 1e6} MB that a page can hold`);
+      this.hooks.fail(`${file.name}: ${(file.size / 1e6).toFixed(0)} MB is too large; a page can hold at most ${MOST_BYTES / 1e6} MB`);
       return;
     }
     try {
@@ -50,7 +50,7 @@ export class Files {
   async save() {
     try {
       const { csv, toml } = await this.hooks.record();
-      if (csv.indexOf('\n') === csv.length - 1) throw new Error('nothing was felt yet: press on the skin first');
+      if (csv.indexOf('\n') === csv.length - 1) throw new Error('nothing was felt yet; press on the skin first');
       const archive = await zipOf({ 'forces.csv': csv, 'scene.toml': toml, 'README.txt': READ_ME });
       const link = document.createElement('a');
       link.href = URL.createObjectURL(archive);

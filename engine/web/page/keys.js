@@ -17,8 +17,8 @@ export function keysOf(page) {
     else page.moveOnSkin(right * step(e), up * step(e));
   };
   return [
-    [['Enter'], 'Put the finger on the skin and keep it pressed; again: lift it', () => page.toggleHold()],
-    [[' '], 'Press for as long as the key is down', () => page.pressHere(), () => page.liftHere()],
+    [['Enter'], 'Put the finger on the skin and keep it pressed; press again to lift it', () => page.toggleHold()],
+    [[' '], 'Press while the key is down', () => page.pressHere(), () => page.liftHere()],
     [['ArrowLeft'], 'Move the finger 2 mm to the left; with Shift 0.5 mm', arrow(-1, 0)],
     [['ArrowRight'], 'Move it to the right', arrow(1, 0)],
     [['ArrowUp'], 'Move it up', arrow(0, 1)],
@@ -29,20 +29,20 @@ export function keysOf(page) {
     [['2'], 'Use the right finger', () => fingers.choose(1)],
     [['Backspace'], 'Lift both fingers', () => [0, 1].forEach((finger) => fingers.leave(finger))],
     [['q'], 'Read out force, depth and place', () => page.readOut()],
-    [['t'], 'Turn the body with the arrow keys; with Shift shift it; again: move the finger', () => page.toggleTurn()],
+    [['t'], 'Turn the body with the arrow keys, or move it with Shift; press again to move the finger', () => page.toggleTurn()],
     [['+', '='], 'Zoom in', () => page.camera.zoom(1 / ZOOM)],
     [['-'], 'Zoom out', () => page.camera.zoom(ZOOM)],
     [['f'], 'Look closely at the place under the finger', () => page.lookHere()],
-    [['v'], 'Show the next view; with Shift the one before', (e) => page.camera.nextView(e.shiftKey ? -1 : 1)],
+    [['v'], 'Show the next view; with Shift the previous one', (e) => page.camera.nextView(e.shiftKey ? -1 : 1)],
     [['Home'], 'Show the whole body', () => page.camera.home()],
     [['/'], 'Search for a place', () => page.search()],
-    [['s'], 'Colour the skin by strain; again: off', () => page.toggleColour('strain')],
-    [['m'], 'Colour the skin by stiffness; again: off', () => page.toggleColour('stiffness')],
+    [['s'], 'Colour the skin by strain; press again to stop', () => page.toggleColour('strain')],
+    [['m'], 'Colour the skin by stiffness; press again to stop', () => page.toggleColour('stiffness')],
     [['o'], 'Show the bones through the skin', () => page.toggle('bones')],
     [['i'], 'Show the names of places', () => page.toggle('places')],
     [['x'], 'In the game: mark the place under the finger', () => page.markHere()],
     [['Escape'], 'Close a message; leave the search; stop marking', () => page.escape()],
-    [['Tab'], 'Go to the controls, one after the other', null],
+    [['Tab'], 'Go to the next control', null],
   ];
 }
 

@@ -107,7 +107,7 @@ export class Notebook {
   }
   async on_open({ file, unit_mm }) {
     const heard = await this.ask('notebook/mesh', { headers: this.headers });
-    if (!heard.ok) throw new Error(`the mesh did not come: ${heard.status}`);
+    if (!heard.ok) throw new Error(`the mesh could not be loaded (HTTP ${heard.status})`);
     await this.page.open(file, await heard.arrayBuffer(), unit_mm);
   }
 }

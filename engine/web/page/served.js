@@ -51,7 +51,7 @@ class ServedSource {
 
   async start() {
     this.token = takeToken();
-    if (!this.token) throw new Error('This page shows a body that is served by another computer: open it with the address that the server printed, including #token=.');
+    if (!this.token) throw new Error('This page shows a body that is served by another computer: open it at the address that the server printed, including #token=.');
     this.bar = new ServedBar((message) => this.say(message), () => this.reconnect());
     this.skin = await ServedSkin.load();
     const body = await this.connect();
@@ -121,7 +121,7 @@ class ServedSource {
     this.socket.close();
   }
   lost(reason) {
-    this.gone(`The server is gone${reason ? ` (${reason})` : ''}. Trying to reconnect.`);
+    this.gone(`The connection to the server is lost${reason ? ` (${reason})` : ''}. Trying to reconnect.`);
     // Apart from each other, or a hall of pages comes back in the same moment.
     const wait_ms = this.wait_ms * (0.75 + 0.5 * Math.random());
     this.wait_ms = Math.min(LONGEST_WAIT_MS, 2 * this.wait_ms);

@@ -8,7 +8,7 @@ const valid = (bytes) => WebAssembly.validate(new Uint8Array(bytes));
 
 export function missingHere() {
   const missing = [];
-  if (!document.createElement('canvas').getContext('webgl2')) missing.push('WebGL 2 (pictures in space)');
+  if (!document.createElement('canvas').getContext('webgl2')) missing.push('WebGL 2 (3D graphics)');
   if (typeof WebAssembly !== 'object') missing.push('WebAssembly');
   else {
     if (!valid(SIMD)) missing.push('WebAssembly SIMD');

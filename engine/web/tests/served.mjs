@@ -112,7 +112,7 @@ test('a page says that the server is gone, and comes back when it does', { timeo
   const { port } = server;
   await ended(server.child);
   await says(tab, 'Trying to reconnect');
-  assert.match(await tab.ask("document.getElementById('pace').textContent"), /^The server is gone/);
+  assert.match(await tab.ask("document.getElementById('pace').textContent"), /^The connection to the server is lost/);
   assert.equal(await tab.ask("document.getElementById('force').textContent"), '–');
   assert.equal(await tab.ask("document.getElementById('served-again').hidden"), false);
   await pause(4000); // it tries less and less often
@@ -129,7 +129,7 @@ test('a server that answers no more is gone too, although nothing was closed', {
   const tab = await opened('look');
   server.child.kill('SIGSTOP');
   try {
-    await tab.until("/^The server is gone \\(it does not answer\\)/.test(document.getElementById('pace').textContent)", 20);
+    await tab.until("/^The connection to the server is lost \\(it does not answer\\)/.test(document.getElementById('pace').textContent)", 20);
   } finally {
     server.child.kill('SIGCONT');
   }
