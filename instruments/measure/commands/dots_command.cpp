@@ -178,7 +178,7 @@ void requireInside(const measure::MeasureSettings& settings, const measure::Phot
   if (!settings.contact_px) return;
   const Vec2& place = *settings.contact_px;
   if (place.x() >= 0.0 && place.y() >= 0.0 && place.x() < picture.width_px && place.y() < picture.height_px) return;
-  throw Error(fmt::format("--contact: {:g},{:g} lies outside the picture of {} x {} pixels", place.x(), place.y(),
+  throw Error(fmt::format("--contact: {:g},{:g} is outside the picture of {} x {} pixels", place.x(), place.y(),
                           picture.width_px, picture.height_px));
 }
 
@@ -197,9 +197,9 @@ std::optional<measure::Finding> measureNull(const DotsArguments& arguments, Meas
   const measure::Photograph again = read(arguments.again, measuring.pair);
   const auto drift = measure::nullDrift(*measuring.before, again, settings);
   if (!drift) {
-    return measure::Finding{measure::Severity::warning, "null_unread",
-                            "How far the body moved by itself cannot be told: the two pictures before show no common "
-                            "grid of dots."};
+    return measure::Finding{
+        measure::Severity::warning, "null_unread",
+        "How far the body moved by itself is unknown: the two pictures before show no common grid of dots."};
   }
   measuring.pair.null_drift_mm = drift;
   if (!arguments.drift_mm) settings.drift_mm = std::max(settings.drift_mm, *drift);

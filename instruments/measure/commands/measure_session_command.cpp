@@ -264,7 +264,7 @@ void addInitOptions(Command& command, MeasureSessionArguments& a) {
 
 void addMeasureSessionCommand(Command& parent) {
   const auto [command, a] = addCommand<MeasureSessionArguments>(
-      parent, "session", "Walk a person's folder: measure what is new, and at the end write their map and scene",
+      parent, "session", "Measure the new pictures in a person's folder and, when complete, write the map and scene",
       [](const MeasureSessionArguments& given) { given.init ? runInit(given) : runWalk(given); });
   command.add_option("folder", a.folder, "Folder with protocol.toml and the pictures (docs/howto/measure-a-person.md)")
       ->required();

@@ -64,7 +64,7 @@ figures::Figure placeStiffnessFigure(const measure::PlaceFits& fits) {
   for (const PlaceStiffness& place : fits.places) {
     if (figure.panels.size() < kMaxPlacePanels) figure.panels.emplace_back(placePanel(place));
   }
-  figure.note = "Beside each form what it misses (root mean square). Solid: the form that was chosen.";
+  figure.note = "Next to each form: its error (root mean square). Solid: the chosen form.";
   return figure;
 }
 

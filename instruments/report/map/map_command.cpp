@@ -181,8 +181,8 @@ void addEllipses(Command& parent) {
              command.add_option("--quantity", a.source.quantity, "Quantity to colour by")->capture_default_str());
   restrictTo(choiceNames<Weights>(),
              command.add_option("--interpolation", a.interpolation,
-                                "gri, or a form of the dissertation: (5.16) with E26, (5.16) as printed, (5.7); left "
-                                "out: as --fidelity says"));
+                                "Interpolation: gri, or a form of the dissertation: (5.16) with E26, (5.16) as "
+                                "printed, (5.7) (default: as --fidelity says)"));
   restrictTo(choiceNames<maps::DirectionBlend>(),
              command.add_option("--directions", a.directions, "Blending of directions (default: as --fidelity says)"));
   command.add_option("--fidelity", a.fidelity, "Errata taken literally: corrected, literal, or a list such as E28,E29")
@@ -237,7 +237,7 @@ void addDepth(Command& parent) {
       [](const MapSkin& skin, const MapSource&) { return depthOver(skin); },
       [](const MapSkin& skin, const scene::World& world, const MapSource&) { return depthOfScene(skin, world); }};
   const auto [command, arguments] =
-      addCommand<MapArguments>(parent, "depth", "How far the bones of the torso lie under the skin",
+      addCommand<MapArguments>(parent, "depth", "Write the depth of the torso's bones under the skin",
                                [kMaker](const MapArguments& given) { run(given, kMaker); });
   addFileOptions(command, arguments);
   addSetting(command, "--triangles", arguments.triangles, between(0, 2e7),

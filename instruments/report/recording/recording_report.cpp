@@ -76,13 +76,13 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
       engine::builtWorld(recorded, folder.empty() ? std::filesystem::path(recorded.folder) : folder, progress);
   const std::size_t triangles = world->body->skin.triangles.size();
   if (triangles != recorded.triangles) {
-    body.why_not = fmt::format("The body is no longer the recorded one: it has {} triangles instead of {}.", triangles,
-                               recorded.triangles);
+    body.why_not = fmt::format("The body has changed since the recording: it has {} triangles instead of {}.",
+                               triangles, recorded.triangles);
     return;
   }
   if (engine::hashOf(*world) != recorded.hash) {
     if (!fits(world->body->skin, felt, body.reach_mm)) {
-      body.why_not = "The body is no longer the recorded one: what was touched does not lie on its skin.";
+      body.why_not = "The body has changed since the recording: the touched places are not on its skin.";
       return;
     }
     body.notes.emplace_back(
@@ -92,7 +92,7 @@ void buildSurface(const FeltBody& felt, const std::filesystem::path& folder, con
   std::string note = scene::tissueNote(world->scene, world->tissue, *world->surface.stiffness_n_per_mm);
   if (!note.empty()) body.notes.push_back("Tissue: " + std::move(note) + ".");
   body.landmarks = world->body->anatomy.landmarks;
-  report(progress, "spreading what was felt", 0.0);
+  report(progress, "mapping the touch", 0.0);
   body.surface = trace::touchedSurface(world->body->skin, felt.places, body.reach_mm);
 }
 

@@ -102,12 +102,13 @@ Finding checkCertificateNeeded(const Member& member) {
   settings.client_id += "-nobody";
   const MqttLink link(settings, {});
   const bool let_in = within(kShutOutS, [&] { return link.connected(); });
-  return {"nobody gets in without a certificate", !let_in, let_in ? "the broker lets anybody in" : ""};
+  return {"the broker refuses connections without a certificate", !let_in,
+          let_in ? "the broker accepts connections without a certificate" : ""};
 }
 
 /// Sends a question to the collector and its database, and expects an acknowledgement.
 Finding checkCollector(const Member& member) {
-  Finding finding{"what a station records reaches the database"};
+  Finding finding{"a station's records reach the database"};
   const training::Uuid key = training::makeUuidV7(training::utcMs(), training::systemRandom());
   std::atomic<bool> acknowledged = false;
   MqttSettings settings = classroom::makeMqttSettings(member);

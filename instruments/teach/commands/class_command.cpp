@@ -60,13 +60,13 @@ void runRemoveStation(const StationArguments& arguments) {
     std::string answer;
     std::getline(std::cin, answer);
     if (trimmed(answer) != "yes") {
-      fmt::print(stderr, "nothing was removed (--yes does not ask)\n");
+      fmt::print(stderr, "nothing was removed (--yes skips the question)\n");
       throw ExitWith(1);
     }
   }
   classroom::removeStation(folder, arguments.name);
   fmt::print(
-      "{} is let in no longer. `palpate class serve --broker` notices by itself; start another broker again.\n"
+      "{} can no longer connect. `palpate class serve --broker` updates automatically; restart any other broker.\n"
       "The name is free: palpate class add-station {} {}\n",
       arguments.name, arguments.folder, arguments.name);
 }
@@ -83,9 +83,8 @@ void runClassRenew(const RenewArguments& arguments) {
     fmt::print("{}\n", renewed.string());
   }
   fmt::print(
-      "Carry each station its folder again; what it has stays valid to its end. `palpate class serve --broker` notices "
-      "by "
-      "itself; start another broker again.\n");
+      "Copy each station its folder again; its old certificate stays valid until it expires. `palpate class serve "
+      "--broker` updates automatically; restart any other broker.\n");
 }
 
 }  // namespace
@@ -101,7 +100,7 @@ void addClassRenewCommand(Command& parent) {
 
 void addClassAddInstructorCommand(Command& parent) {
   const auto [command, arguments] = addCommand<StationArguments>(
-      parent, "add-instructor", "Make a certificate for one more window; the broker need not be told",
+      parent, "add-instructor", "Make a certificate for one more window; the broker needs no change",
       [](const StationArguments& a) {
         fmt::print("{}\n", classroom::addInstructor(classroom::readClassFolder(a.folder)).string());
       });
@@ -127,7 +126,7 @@ void addClassInitCommand(Command& parent) {
 
 void addClassAddStationCommand(Command& parent) {
   const auto [command, arguments] = addCommand<StationArguments>(
-      parent, "add-station", "One more station; the broker need not be told", [](const StationArguments& a) {
+      parent, "add-station", "Add a station; the broker needs no change", [](const StationArguments& a) {
         const classroom::ClassFolder folder = classroom::readClassFolder(a.folder);
         fmt::print("{}\n", folder.station(classroom::addStation(folder, a.name)).string());
       });

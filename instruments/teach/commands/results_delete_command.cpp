@@ -61,7 +61,7 @@ void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const train
     printDeletedJson(
         {{"deleted", found && left.empty()}, {"sittings", rows.sessions}, {"trials", rows.trials}, {"not_done", left}});
   } else {
-    fmt::print("{} {}: {} sessions, {} trials; what still comes of them is not kept\n",
+    fmt::print("{} {}: {} sessions, {} trials; later rows of this trainee are not stored\n",
                left.empty() ? "deleted in" : "only removed from the tables of", copy.file().string(), rows.sessions,
                rows.trials);
   }
@@ -94,8 +94,8 @@ void runResultsDelete(const DeleteArguments& arguments) {
   }
   fmt::print("deleted: {} sessions, {} trials, {} recordings{}\n", deleted.sessions, deleted.trials, deleted.files,
              deleted.key ? ", the key" : "");
-  fmt::print("{}Exports and backups that you made before are not reached.\n",
-             store.fillsOutbox() ? "The class is told when it is next reached. " : "");
+  fmt::print("{}Exports and backups made before are not deleted.\n",
+             store.fillsOutbox() ? "The class deletes its copy at the next connection. " : "");
 }
 
 void runResultsPurge(const DeleteArguments& arguments) {

@@ -71,8 +71,7 @@ void runResultsExport(const ExportArguments& arguments) {
   noteExport(arguments.results.file, store, files.size());
   if (!arguments.xapi.empty()) {
     fmt::print(stderr,
-               "note: a record store cannot forget single statements by itself; deleting a trainee here does "
-               "not reach it\n");
+               "note: deleting a trainee here does not delete statements in a record store; delete them there\n");
   }
 }
 

@@ -185,7 +185,7 @@ class TraineeCommand {
     bench_.protocol = protocolAskedFor(options);
     if (finds_lumps_) {
       if (!training::isLumpTrainee(options.trainee)) {
-        throw Error("--trainee: sittings with lumps take observer=lump,spread=3.4,...");
+        throw Error("--trainee: lump sessions need observer=lump,spread=3.4,...");
       }
       if (simulated.fast) throw Error("--fast: lumps are felt on a body");
       if (simulated.programme) throw Error("--programme has no lump sessions");

@@ -42,7 +42,7 @@ void runResultsReport(ResultsReportArguments arguments) {
 void addResultsReportCommand(Command& parent) {
   const auto [command, a] = addCommand<ResultsReportArguments>(
       parent, "report",
-      "Tell how training went (learning curve, accuracy, what was felt; of a trainee or a class) as one HTML page",
+      "Report on the training of a trainee or a class (learning curve, accuracy, touch) as one HTML page",
       runResultsReport);
   command.add_option("FILE", a.request.file, "Training record (.results), or a class's PostgreSQL: postgresql://...")
       ->required();

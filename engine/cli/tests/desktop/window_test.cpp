@@ -328,7 +328,7 @@ TEST_F(Window, AScriptThatMakesNoSenseIsRefusedBeforeTheWindowOpens) {
   Child child({support::builtProgram(), "run", "--no-state", "--play", "bad.csv"}, desktop->environment(),
               {"WAYLAND_DISPLAY"}, folder.path());
   EXPECT_EQ(child.exitCode(), 2);
-  EXPECT_EQ(child.errors(), "palpate: bad.csv:1: there is no event 'wave'\n");
+  EXPECT_EQ(child.errors(), "palpate: bad.csv:1: unknown event 'wave'\n");
 }
 
 }  // namespace

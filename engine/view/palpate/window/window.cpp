@@ -40,7 +40,7 @@ std::string offeredVersion() {
   if (probe == nullptr) return "no OpenGL at all";
   glfwMakeContextCurrent(probe);
   const auto* words = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-  std::string version = words == nullptr ? "an OpenGL that tells no version" : fmt::format("OpenGL {}", words);
+  std::string version = words == nullptr ? "an OpenGL that reports no version" : fmt::format("OpenGL {}", words);
   glfwMakeContextCurrent(nullptr);
   glfwDestroyWindow(probe);
   return version;

@@ -44,10 +44,10 @@ TEST(InputScript, NamesTheLineOfWhatItDoesNotUnderstand) {
   const auto error = [](const std::string& text) {
     return support::thrownMessage([&] { parseInputScript(text, "s.csv"); });
   };
-  support::expectEach(error, {{"0, wave\n", "s.csv:1: there is no event 'wave'"},
+  support::expectEach(error, {{"0, wave\n", "s.csv:1: unknown event 'wave'"},
                               {"0, move, 1, 2\n1, down\n", "s.csv:2: 'down' needs a button: left, right or middle"},
                               {"0, down, thumb\n", "s.csv:1: 'thumb' is not a button: left, right or middle"},
-                              {"0, key, F77\n", "s.csv:1: there is no key 'F77' (the F1 page lists them)"},
+                              {"0, key, F77\n", "s.csv:1: unknown key 'F77'; the F1 page lists the keys"},
                               {"1, close\n0, close\n", "s.csv:2: times must not go back"},
                               {"0, size, 3, 3\n", "s.csv:1: pixels = 3 is out of range: 16 to 16,384"}});
 }

@@ -69,7 +69,7 @@ window::Chord chordFrom(const CsvRow& row) {
   for (const window::KeyBinding& binding : window::keyTable()) {
     if (window::nameOf({binding.chord.key, {}}) == name) return {binding.chord.key, modifiers};
   }
-  fail(row, fmt::format("there is no key '{}' (the F1 page lists them)", name));
+  fail(row, fmt::format("unknown key '{}'; the F1 page lists the keys", name));
 }
 
 InputEvent makeInputEvent(InputEvent::Kind kind, const Vec2& cursor) { return {.kind = kind, .at = cursor}; }
@@ -144,7 +144,7 @@ class Reader {
       events.emplace_back().kind = ScriptEvent::Kind::close;
       events.back().time_s = now_;
     } else {
-      fail(row, fmt::format("there is no event '{}'", name));
+      fail(row, fmt::format("unknown event '{}'", name));
     }
   }
 

@@ -463,7 +463,8 @@ std::string dragRemark(const PointMean& point) {
         "second time across it",
         dragDirectionName(*point.drags.front().drag_deg));
   }
-  return "the ways of pulling lie less than 60 degrees apart as axes: they do not tell the tissue from the drag (E34)";
+  return "the drag directions are less than 60 degrees apart as axes: they cannot separate the tissue from the drag "
+         "(E34)";
 }
 
 }  // namespace palpate::measure

@@ -255,7 +255,7 @@ void chartGrid(Measurement& m) {
   try {
     m.chart = std::make_shared<const SkinChart>(m.grid, m.settings.spacing_mm, m.settings.head);
   } catch (const Error&) {
-    m.findings.push_back({Severity::refusal, "few_dots", "The dots in order lie in one line."});
+    m.findings.push_back({Severity::refusal, "few_dots", "The dots in the grid are in one line."});
   }
 }
 
@@ -264,9 +264,9 @@ bool hasTooMany(const DotPair& dots, Measurement& m) {
   if (most <= kMaxMarks) return false;
   m.findings.push_back(
       {Severity::refusal, "many_marks",
-       fmt::format("{} marks of one colour in a picture: at most {} are taken for dots. Leave patterned "
-                   "cloth out of the frame.",
-                   most, kMaxMarks)});
+       fmt::format(
+           "{} marks of one colour in a picture: at most {} can be dots. Keep patterned cloth out of the frame.", most,
+           kMaxMarks)});
   return true;
 }
 

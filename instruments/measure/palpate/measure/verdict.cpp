@@ -83,14 +83,13 @@ void judgeEllipse(const Measurement& m, std::vector<Finding>& findings) {
     findings.push_back(warning("imprecise", fmt::format("A half axis is known to {:.1f} % only.", 100.0 * sd)));
   }
   if (fit.inside_share < kMinInside && !m.settings.partial)
-    findings.push_back(
-        refusal("leaves_dots", fmt::format("Only {:.0f} % of the ellipse lies within the dots. Mark more "
-                                           "rows around the contact, or allow it with --partial.",
-                                           100.0 * fit.inside_share)));
+    findings.push_back(refusal("leaves_dots", fmt::format("Only {:.0f} % of the ellipse is within the dots. Mark more "
+                                                          "rows around the contact, or allow it with --partial.",
+                                                          100.0 * fit.inside_share)));
   if (!isAmongDots(m, {fit.contact_x_mm.value, fit.contact_y_mm.value}))
-    findings.push_back(refusal("contact_outside",
-                               "The contact found lies outside the dots. Press between dots, two "
-                               "rows from the rim at least."));
+    findings.push_back(
+        refusal("contact_outside",
+                "The contact found is outside the dots. Press between dots, at least two rows from the rim."));
   if (key.direction_deg.sd > kHardlyDeterminedDeg) {
     const double ratio = key.major_over_minor.value;
     findings.push_back(warning(
@@ -128,12 +127,12 @@ void judgeForms(const Measurement& m, std::vector<Finding>& findings) {
   const FieldFit& fit = *m.fit;
   if (!fit.forms.empty() && fit.forms.front().share < kSureShare)
     findings.push_back(warning("forms", fmt::format("Several forms of the field explain the dots about equally well "
-                                                    "({}); what they differ by is in the sd of axes and peak.",
+                                                    "({}); their differences are included in the sd of axes and peak.",
                                                     describeFormShares(fit))));
   if (!fit.peak_mm)
     findings.push_back(warning("no_peak",
-                               "No peak is stated: no dot lies in the core of the field. Mark dots closer "
-                               "together around the contact, or measure how far the tip of the stick went."));
+                               "No peak is stated: no dot is in the core of the field. Mark dots closer together "
+                               "around the contact, or measure how far the tip of the stick moved."));
 }
 
 void judgeContact(const Measurement& m, std::vector<Finding>& findings) {
@@ -176,14 +175,15 @@ std::vector<Finding> judgeGrid(const DotGrid& grid, const MeasureSettings& setti
   if (count < kEnoughDotsInOrder) {
     findings.push_back(refusal(
         "few_dots",
-        fmt::format("The {} picture shows {} dots in order and {} other marks; {} in order are needed. Is the ink red, "
-                    "blue or green (black is not seen), the light enough, the whole grid in the frame?",
-                    which, count, strays, kEnoughDotsInOrder)));
+        fmt::format(
+            "The {} picture shows {} dots in the grid and {} other marks; {} in the grid are needed. Is the ink red, "
+            "blue or green (black is not detected), the light sufficient, the whole grid in the frame?",
+            which, count, strays, kEnoughDotsInOrder)));
   }
   if (count < kMinDotsInOrder) return findings;
   if (std::abs(grid.roll_deg) > kMaxRollDeg)
-    findings.push_back(refusal("roll", fmt::format("The grid is turned by {:.0f} degrees in the picture: which way the "
-                                                   "head lies cannot be told. Turn the camera along the body.",
+    findings.push_back(refusal("roll", fmt::format("The grid is turned by {:.0f} degrees in the picture: the direction "
+                                                   "of the head is unknown. Turn the camera along the body.",
                                                    grid.roll_deg)));
   const double irregularity_mm = grid.irregularity * settings.spacing_mm;
   if (irregularity_mm > kMaxIrregularityMm)
@@ -198,11 +198,10 @@ std::vector<Finding> judgeFit(const Measurement& m, std::size_t newly_visible) {
   std::vector<Finding> findings;
   const double share = static_cast<double>(m.matched) / static_cast<double>(std::max<std::size_t>(1, m.dots.size()));
   if (share < kMinMatched)
-    findings.push_back(
-        refusal("few_matched", fmt::format("Only {:.0f} % of the dots were found again in the second "
-                                           "picture ({:.0f} % are needed). Keep hand and stick beside the "
-                                           "grid, and the light as it was.",
-                                           100.0 * share, 100.0 * kMinMatched)));
+    findings.push_back(refusal(
+        "few_matched", fmt::format("Only {:.0f} % of the dots were found again in the second picture ({:.0f} % are "
+                                   "needed). Keep hand and stick beside the grid, and do not change the light.",
+                                   100.0 * share, 100.0 * kMinMatched)));
   if (!m.fit) return findings;
   judgeDrift(m, findings);
   judgeEllipse(m, findings);

@@ -141,7 +141,7 @@ TEST(FieldForms, OfLayersTheSolvedFormIsLikeliestAndItsSdHolds) {
   FieldFit fit = reportField(forms, Mat2::Identity(), makeDriftPrior(0.4));
   const double unseen_sd = fit.at_4_mm.half_minor_mm.sd;
   widenByDots(data, forms.front().fitted.numbers, fit);
-  EXPECT_FALSE(fit.peak_mm) << "no dot lies in the core";
+  EXPECT_FALSE(fit.peak_mm) << "no dot is in the core";
   EXPECT_GT(fit.at_4_mm.half_minor_mm.sd, unseen_sd) << "few dots lie within 4 mm";
   const TrueField truth(
       {.family = TailFamily::given, .contact_mm = contact, .peak_mm = 15.0, .given = [](const Vec2& p) {

@@ -377,7 +377,7 @@ TEST_F(ReportCommand, ARecordingThatCarriesItsBodyNeedsNoOther) {
 TEST_F(ReportCommand, AnotherBodyIsNotPaintedOn) {
   record();
   saveDome(60.0);
-  EXPECT_TRUE(has(report(), "does not lie on its skin"));
+  EXPECT_TRUE(has(report(), "are not on its skin"));
   EXPECT_TRUE(has(contentOf(folder_ / "page.html"), "<figure id=\"plan\">"));
   mesh::save(folder_ / "dome.obj", zoo::grid(8, 100.0));
   EXPECT_TRUE(has(report(), "it has 128 triangles instead of 800"));

@@ -37,7 +37,7 @@ namespace {
 void warnIfReplacing(const std::string& folder, const std::string& file) {
   const std::filesystem::path page = std::filesystem::path(folder) / file;
   if (folder.empty() || !std::filesystem::exists(page)) return;
-  say(fmt::format("palpate: {} is of an earlier run: it is replaced, and what this run does not write stays\n",
+  say(fmt::format("palpate: {} is from an earlier run; it is replaced, and other files of that run stay\n",
                   page.string()));
 }
 
@@ -79,7 +79,7 @@ void addPage(Command& parent, const study::Study& study) {
   namesFolderToWrite(
       command.add_option("-o,--out", arguments.folder,
                          "Write the page (" + study.name +
-                             ".md) with its figures (PNG, SVG) and tables (CSV) into this folder; made when missing"));
+                             ".md) with its figures (PNG, SVG) and tables (CSV) to this folder, created if missing"));
   command.add_flag("--quick", arguments.quick,
                    "Use small models and few repetitions, to preview the page, not to measure");
   command.add_flag("--json", arguments.json, "Print the findings and main numbers as one JSON object");
@@ -96,7 +96,7 @@ void addPage(Command& parent, const study::Study& study) {
   if (!study.families.empty()) {
     command
         .add_option(study.name == "training" ? "--observer" : "--family", arguments.family,
-                    fmt::format("Only cases of this {} ({} unless --cases says otherwise): {}",
+                    fmt::format("Use only cases of this {} ({} unless --cases sets it): {}",
                                 study.name == "training" ? "simulated observer" : "family", study.family_cases,
                                 fmt::join(study.families, ", ")))
         ->check(IsMember{study.families});

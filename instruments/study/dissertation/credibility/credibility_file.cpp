@@ -149,7 +149,7 @@ std::vector<CredibilityLimit> collectLimits(const std::vector<CredibilitySection
     }
   }
   for (const CredibilityFactor& factor : factors) {
-    if (factor.evidence.empty()) limits.push_back({factor.name, "No evidence of this run stands for this factor."});
+    if (factor.evidence.empty()) limits.push_back({factor.name, "No evidence of this run covers this factor."});
   }
   return limits;
 }

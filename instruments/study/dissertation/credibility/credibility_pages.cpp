@@ -82,7 +82,7 @@ StudyPage sectionPage(const CredibilitySection& section, const CredibilityFile& 
   page.question = section.holds() ? "All numbers with a bar are within it." : "A number is BEYOND its bar.";
   for (const Evidence& evidence : section.evidence) page.findings.push_back(formatFinding(evidence));
   page.tables = {{section.name, "Every number.", numbersTable(section)},
-                 {section.name + "_studies", "What it is held against.", studiesTable(section)}};
+                 {section.name + "_studies", "What it is compared with.", studiesTable(section)}};
   page.command = file.command;
   page.seconds = file.seconds;
   return page;
@@ -102,7 +102,7 @@ StudyPage usePage(const CredibilityFile& file) {
                                              ? "none: see limits"
                                              : fmt::format("{}", fmt::join(factor.evidence, ", "))});
   }
-  page.tables = {{"factors", "Credibility factors of the standard, and what stands for them.", std::move(factors)}};
+  page.tables = {{"factors", "Credibility factors of the standard, and the evidence for them.", std::move(factors)}};
   page.command = file.command;
   page.seconds = file.seconds;
   return page;

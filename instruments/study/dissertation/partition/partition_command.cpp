@@ -174,7 +174,7 @@ void addBoxOptions(Command& command, PartitionArguments& arguments) {
       ->type_name("X,Y,Z[,EDGE]");
   addChoice<HdbSize>(command, "--box-size", arguments.box_size,
                      {{"longest-edge", HdbSize::QuarterOfLongestEdge}, {"box", HdbSize::QuarterOfBox}},
-                     "What the quarter is of: the model's longest edge, for a cube, or its box (E12)");
+                     "Size that the quarter refers to: the model's longest edge, for a cube, or its box (E12)");
   addChoice<LeafSearch>(command, "--traversal", arguments.traversal, traversals(),
                         "How leaves are found: by tight boxes, which misses nothing; by a sphere in the box; or as "
                         "printed: else-if (E4), half-space (E10), cell-box (E5), sphere-corners (E11)");

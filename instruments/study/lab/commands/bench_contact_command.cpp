@@ -174,9 +174,9 @@ void addFingerOptions(Command& command, BenchContactArguments& arguments) {
 
 void addHdbOptions(Command& command, BenchContactArguments& arguments) {
   bench::HdbRunSettings& settings = arguments.hdb;
-  addChoice<bool>(
-      command, "--source", arguments.by_hdb, {{"surface", false}, {"hdb", true}},
-      "What is touched: the whole surface, or what the detecting box (HDB) finds, as the options below say");
+  addChoice<bool>(command, "--source", arguments.by_hdb, {{"surface", false}, {"hdb", true}},
+                  "Triangles to touch: the whole surface, or those that the detecting box (HDB) finds, as set by the "
+                  "options below");
   addPartitionSettings(command, settings.build);
   addChoice(command, "--query", settings.hdb.query, "HDB: contents of the box");
   addChoice(command, "--traversal", settings.hdb.literal, "HDB: search for leaves; all but the first as printed");

@@ -61,8 +61,8 @@ void fit(lab::NamedBody& body, double fit_mm) {
   const double factor = (fit_mm > 0.0 ? fit_mm : kFittedDiagonalMm) / diagonal;
   for (Vec3& p : body.mesh.positions) p *= factor;
   if (fit_mm < 0.0)
-    say(fmt::format("palpate: {}: {:.3g} mm across, taken {:.6g} times as large (--fit-mm, --unit)\n", body.name,
-                    diagonal, factor));
+    say(fmt::format("palpate: {}: {:.3g} mm across, scaled by {:.6g} (--fit-mm, --unit)\n", body.name, diagonal,
+                    factor));
 }
 
 lab::NamedBody outsideBody(const std::string& name, const HuntArguments& arguments, const Progress& progress) {

@@ -68,7 +68,7 @@ namespace {
 
 /// The reason for missing figures.
 std::string explainSkip(const PeerFigures& f) {
-  return lacksPeersProgram(f) ? fmt::format("not asked, {} is not beside this program", kPeersProgram) : f.skipped;
+  return lacksPeersProgram(f) ? fmt::format("not run, {} is not next to this program", kPeersProgram) : f.skipped;
 }
 
 Json toJson(const PeerFigures& f, PeerTask task) {

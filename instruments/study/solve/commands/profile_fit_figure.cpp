@@ -74,7 +74,7 @@ Plot fittedOutward(const ProfileResult& result) {
 
 /// Misses of every form at every depth.
 Plot formMisses(const ProfileResult& result) {
-  Plot plot{.title = "what the forms miss",
+  Plot plot{.title = "error of the forms",
             .x = {.label = "depth", .unit = "mm"},
             .y = {.label = "RMS of places left out, of the depth", .unit = "%"}};
   plot.y.from = 0.0;

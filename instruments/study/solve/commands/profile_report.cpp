@@ -106,7 +106,7 @@ std::string textOf(const ProfileResult& result) {
   text += formsText(result) + "\n" + depthsText(result);
   text += "\nRMS over the area within 40 mm, of the skin's depth on the axis; unseen: of places left out of the fit.\n";
   if (!result.chosenFit(0).surface_measured) {
-    text += "No place within 2 mm of the axis: the skin is taken to touch the indenter there.\n";
+    text += "No place within 2 mm of the axis: the skin is assumed to touch the indenter there.\n";
   }
   text += "\n" + tableKeys(result);
   text += fmt::format("\none curve for all depths, which misses by {:.1f} %, as a scene's own profile:\n",

@@ -30,7 +30,7 @@ void ClassStore::sweep() {
   not_erased_.clear();
   if (warnings.empty()) return;
   not_erased_ = fmt::format(
-      "the rows are gone from the tables, but still lie in the server's files: {}; as their owner, run VACUUM (FULL)",
+      "the rows are gone from the tables but still in the server's files: {}; as their owner, run VACUUM (FULL)",
       warnings.front());
 }
 

@@ -43,7 +43,7 @@ void checkLevels(const BlockSettings& settings) {
   const double most = settings.meaning == ChangeMeaning::compliance ? kMaxComplianceChange : 10.0;
   for (std::size_t i = 0; i < settings.levels.size(); ++i) {
     require(settings.levels[i] > 0.0 && settings.levels[i] <= most,
-            fmt::format("levels must lie over 0 and up to {}", most));
+            fmt::format("levels must be above 0 and at most {}", most));
     require(i == 0 || settings.levels[i] > settings.levels[i - 1], "levels must rise");
   }
 }

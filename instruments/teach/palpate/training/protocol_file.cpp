@@ -60,7 +60,7 @@ void readLevels(const TomlTable& table, BlockSettings& block) {
   const TomlNode* node = table.node("levels_percent");
   if (node == nullptr) return;
   const TomlList* list = node->list();
-  if (list == nullptr) table.fail(*node, "levels_percent takes a list of numbers");
+  if (list == nullptr) table.fail(*node, "levels_percent must be a list of numbers");
   block.levels.clear();
   for (const TomlNode& one : *list) {
     const auto percent = one.number();
@@ -110,7 +110,7 @@ std::vector<std::string> sitesFrom(const TomlTable& table) {
   if (node == nullptr) return sites;
   const TomlList* list = node->list();
   if (list == nullptr)
-    table.fail(*node, "sites takes a list of places such as [\"T6 left 30 mm\", \"T6 right 30 mm\"]");
+    table.fail(*node, "sites must be a list of places such as [\"T6 left 30 mm\", \"T6 right 30 mm\"]");
   for (const TomlNode& one : *list) {
     const auto words = one.text();
     if (!words || words->empty()) table.fail(one, "a site is a place in words, such as \"T6 left 30 mm\"");
@@ -160,11 +160,11 @@ void readGrades(const TomlTable& table, const char* key, lumps::Grades& grades, 
   const TomlNode* node = table.node(key);
   if (node == nullptr) return;
   const TomlList* list = node->list();
-  if (list == nullptr || list->size() != grades.size()) table.fail(*node, fmt::format("{} takes three numbers", key));
+  if (list == nullptr || list->size() != grades.size()) table.fail(*node, fmt::format("{} must be three numbers", key));
   for (std::size_t i = 0; i < grades.size(); ++i) {
     const TomlNode& one = (*list)[i];
     const auto number = one.number();
-    if (!number) table.fail(one, fmt::format("{} takes three numbers", key));
+    if (!number) table.fail(one, fmt::format("{} must be three numbers", key));
     if (!range.holds(*number)) {
       table.fail(one, fmt::format("{} = {}", key, outOfRange(fmt::format("{:g}", *number), range)));
     }

@@ -109,7 +109,7 @@ TEST_F(ClassStoreTest, ARowWithoutItsBlockIsRefusedAndTheOthersAreKept) {
   EXPECT_EQ(kept.keys.size(), history.rows.size());
   ASSERT_EQ(kept.waits.size(), 1u);
   EXPECT_EQ(kept.waits.front().key, lonely.id);
-  EXPECT_NE(kept.waits.front().why.find("cannot be kept before its block"), std::string::npos)
+  EXPECT_NE(kept.waits.front().why.find("cannot be stored before its block"), std::string::npos)
       << kept.waits.front().why;
   EXPECT_EQ(store.rows().trialCount(), 3);
 }
@@ -259,7 +259,7 @@ TEST_F(ClassStoreTest, ARoleThatDoesNotOwnTheTablesIsNotToldDeleted) {
   };
   ClassStore helper(as("helper"));
   EXPECT_TRUE(helper.erase(history.trainees[1].id, "palpate train results"));
-  EXPECT_NE(helper.notErased().find("still lie in the server's files"), std::string::npos) << helper.notErased();
+  EXPECT_NE(helper.notErased().find("still in the server's files"), std::string::npos) << helper.notErased();
   EXPECT_NE(helper.notErased().find("VACUUM (FULL)"), std::string::npos);
   const std::string words = support::thrownMessage([&] { copyOfDatabase(as("stranger")); });
   EXPECT_NE(words.find("permission denied"), std::string::npos) << words;

@@ -126,7 +126,7 @@ TEST(Block, RefusesSettingsThatMakeNoSense) {
   const auto why = [](const BlockSettings& settings) { return support::thrownMessage([&] { Block(settings, 1); }); };
   EXPECT_EQ(why({}), kNoError);
   EXPECT_EQ(why({.levels = {0.2, 0.1}}), "block: levels must rise");
-  EXPECT_EQ(why({.levels = {0.2, 0.9}}), "block: levels must lie over 0 and up to 0.8");
+  EXPECT_EQ(why({.levels = {0.2, 0.9}}), "block: levels must be above 0 and at most 0.8");
   EXPECT_EQ(why({.meaning = ChangeMeaning::stiffness, .levels = {0.2, 0.9}}), kNoError);
   EXPECT_EQ(why({.choices = 1}), "block: there must be at least two places to choose from");
   EXPECT_EQ(why({.stop = {30, 20}}), "block: the least number of trials must be 1 to the most");

@@ -92,7 +92,7 @@ inline void refusesWhatDoesNotFit(RowTables& tables) {
   };
   auto trial = std::get<TrialRow>(history.rows[6]);
   trial.id = samples::id(9, 1);
-  EXPECT_NE(refused(trial).find("cannot be kept"), std::string::npos) << "the number is taken";
+  EXPECT_NE(refused(trial).find("cannot be stored"), std::string::npos) << "the number is taken";
   trial.number = 99;
   trial.block_id = samples::id(9, 2);
   EXPECT_NE(refused(trial).find("before its block"), std::string::npos);

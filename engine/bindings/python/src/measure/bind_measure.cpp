@@ -72,7 +72,7 @@ void countNullDrift(const measure::Photograph& before, const measure::Photograph
   const auto drift = measure::nullDrift(before, again, requests.settings);
   if (!drift) {
     findings.push_back({measure::Severity::warning, "null_unread",
-                        "How far the body moved by itself cannot be told: the two pictures before show no common grid "
+                        "How far the body moved by itself is unknown: the two pictures before show no common grid "
                         "of dots."});
     return;
   }

@@ -37,8 +37,8 @@ PressOutcome assessPress(const Measurement& measurement, const PlannedPress& pla
     const double askew = std::remainder(measurement.fit->drag_deg.value - planned.drag_deg, 360.0);
     if (std::abs(askew) > kMaxAskewDeg) {
       outcome.refusals.push_back(
-          fmt::format("the skin was pulled {}, and {} was asked for: pictures swapped, named "
-                      "wrongly, or the head is not where the protocol says",
+          fmt::format("the skin was dragged {}, expected {}: pictures swapped or named wrongly, or the head is not "
+                      "where the protocol says",
                       dragDirectionName(measurement.fit->drag_deg.value), dragDirectionName(planned.drag_deg)));
     }
   }

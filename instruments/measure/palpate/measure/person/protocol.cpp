@@ -43,7 +43,7 @@ std::vector<ProtocolDrag> readDrags(const ProtocolTable& table) {
   std::vector<ProtocolDrag> drags;
   const scene::TomlNode* node = table.node("drags");
   const scene::TomlList* list = node == nullptr ? nullptr : node->list();
-  if (list == nullptr || list->empty()) table.fail("drags takes a list such as [\"up\", \"right\"]");
+  if (list == nullptr || list->empty()) table.fail("drags must be a list such as [\"up\", \"right\"]");
   for (const scene::TomlNode& one : *list) {
     const std::string word = one.text().value_or("");
     const auto degrees = dragNamed(word);
@@ -89,7 +89,7 @@ ListedPictures readListedPictures(const scene::TomlNode& table, std::string_view
   if (const scene::TomlNode* node = keys.node("contact_px")) {
     const scene::TomlList* list = node->list();
     if (list == nullptr || list->size() != 2 || !(*list)[0].isNumber() || !(*list)[1].isNumber()) {
-      keys.fail(*node, "contact_px takes two numbers, [x, y]");
+      keys.fail(*node, "contact_px must be two numbers, [x, y]");
     }
     listed.contact_px = Vec2((*list)[0].number().value_or(0.0), (*list)[1].number().value_or(0.0));
   }

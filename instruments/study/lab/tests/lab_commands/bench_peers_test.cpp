@@ -87,10 +87,10 @@ TEST(BenchPeers, WithoutTheirProgramAreSkippedAndNoPackageIsBlamed) {
   const support::CommandResult text = support::runProgram(copy, run);
   EXPECT_EQ(text.exit_code, 0) << text.err;
   EXPECT_NE(text.out.find("embree:"), std::string::npos);
-  EXPECT_NE(text.out.find("palpate_peers is not beside this program"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("palpate_peers is not next to this program"), std::string::npos) << text.out;
   EXPECT_EQ(text.out.find("libembree-dev"), std::string::npos) << text.out;
   const json report = json::parse(support::runProgram(copy, run + " --json").out);
-  expectPeers(report, "tick_us", "not asked, palpate_peers is not beside this program");
+  expectPeers(report, "tick_us", "not run, palpate_peers is not next to this program");
 }
 
 TEST(BenchPeers, AreNotForTheDetectingBoxAsASource) {

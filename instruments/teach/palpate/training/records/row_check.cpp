@@ -44,7 +44,7 @@ bool isInnerFile(std::string_view text) {
 std::string_view faultOfText(const std::string& value, FieldRule::Form form) {
   switch (form) {
     case FieldRule::Form::text:
-      return isPlainText(value) ? "" : "has bytes that are no text";
+      return isPlainText(value) ? "" : "has bytes that are not text";
     case FieldRule::Form::word:
       return std::ranges::all_of(value, isWordLetter) ? "" : "has other letters than a-z, A-Z, 0-9, '.', '_' and '-'";
     case FieldRule::Form::uuid:

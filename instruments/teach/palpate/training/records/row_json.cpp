@@ -113,7 +113,7 @@ class FieldsFromJson {
   void read(const char* name, const Json& from, Value& value, const FieldRule& rule) const {
     if constexpr (std::is_enum_v<Value>) {
       const auto named = from.is_string() ? valueNamed<Value>(from.text()) : std::nullopt;
-      if (!named) refuse(name, "is none of its words");
+      if (!named) refuse(name, "is not one of its words");
       value = *named;
     } else {
       value = static_cast<Value>(whole(name, from, rule));

@@ -216,20 +216,20 @@ std::string explained(const AnyRow& row, std::string_view cause) {
   const std::string what = fmt::format("{} {}", kindOf(row), oneLine(rowId(row)));
   const bool lacks =
       cause.find("FOREIGN KEY") != std::string_view::npos || cause.find("foreign key") != std::string_view::npos;
-  if (!lacks) return fmt::format("{} cannot be kept: {}", what, cause);
+  if (!lacks) return fmt::format("{} cannot be stored: {}", what, cause);
   if (const auto* block = std::get_if<BlockRow>(&row)) {
-    return fmt::format("{} cannot be kept before its session {} and protocol {} version {}", what,
+    return fmt::format("{} cannot be stored before its session {} and protocol {} version {}", what,
                        oneLine(block->session_id), oneLine(block->protocol_id), block->protocol_version);
   }
   if (const auto* session = std::get_if<SessionRow>(&row)) {
-    return fmt::format("{} cannot be kept before its trainee {} and station {}", what, oneLine(session->trainee_id),
+    return fmt::format("{} cannot be stored before its trainee {} and station {}", what, oneLine(session->trainee_id),
                        oneLine(session->station_id));
   }
   if (const auto* trial = std::get_if<TrialRow>(&row)) {
-    return fmt::format("{} cannot be kept before its block {} and session {}", what, oneLine(trial->block_id),
+    return fmt::format("{} cannot be stored before its block {} and session {}", what, oneLine(trial->block_id),
                        oneLine(trial->session_id));
   }
-  return fmt::format("{} cannot be kept before the row that it belongs to", what);
+  return fmt::format("{} cannot be stored before the row that it belongs to", what);
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ class RecordsCheck {
         note("protocol {} version {} cannot be read by this palpate; results of its blocks are not computed again",
              row.id, row.version);
       } else if (protocolSha256(*protocol) != row.sha256) {
-        fault("protocol {} version {} is not what it was when it was used", row.id, row.version);
+        fault("protocol {} version {} was changed after it was used", row.id, row.version);
       }
     }
   }
@@ -133,7 +133,7 @@ class RecordsCheck {
         number = trial.number;
       }
       if (!hidesLumps(kind) && trial.correct != (trial.site_answer != 0 && trial.site_answer == trial.site_true)) {
-        fault("trial {}: right or wrong is not what its sites say", trial.id);
+        fault("trial {}: its verdict does not match its sites", trial.id);
       }
       if (trial.end_ms < trial.start_ms) fault("trial {} ends before it begins", trial.id);
     }
@@ -168,7 +168,7 @@ class RecordsCheck {
     if (counts.bodies == block.trials && std::abs(counts.threshold.median - block.threshold) <= kSameResult) {
       ++found_.recomputed;
     } else {
-      fault("block {}: its result is not what its answers give", block.id);
+      fault("block {}: its result does not match its answers", block.id);
     }
   }
 
@@ -185,7 +185,7 @@ class RecordsCheck {
         if (sameResult(again.result(), block)) {
           ++found_.recomputed;
         } else {
-          fault("block {}: its result is not what its answers give", block.id);
+          fault("block {}: its result does not match its answers", block.id);
         }
       } catch (const Error& error) {
         fault("block {}: {}", block.id, error.what());
