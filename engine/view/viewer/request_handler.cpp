@@ -65,7 +65,7 @@ void RequestHandler::checkOrientation() {
     if (turn_over_ != mesh::TurnOver::none && !viewer.question) {
       viewer.ask({.kind = Question::Kind::turn,
                   .words = toTranslate("This body may be inside out: you see and feel its inner side. Turn it over?"),
-                  .answers = {toTranslate("Turn it over"), toTranslate("As it is")}});
+                  .answers = {toTranslate("Turn it over"), toTranslate("Leave it")}});
     }
   }
   if (body.get() == looked_at_body_ || sides_.busy() || parts_.modes.claims().window) return;

@@ -256,8 +256,8 @@ ReportPicture distributionPicture(const RecordingReport& report) {
   figure.panel_height_px = 260.0;
   for (const MeasuredPanel& panel : kPanels) figure.panels.emplace_back(distributionPlot(report, panel));
   return {"distributions", tr("How often"),
-          trf("Distribution of force, depth and speed while a finger was in contact, in {} steps each. "
-              "The largest values, up to one in 200, lie to the right of the pictures.",
+          trf("Distribution of force, depth and speed while a finger was in contact, in {} steps each. The largest "
+              "values, up to one in 200, are beyond the right edge of the pictures.",
               kBars),
           std::move(figure)};
 }

@@ -27,7 +27,7 @@ constexpr std::array<const char*, servo::kSafetyBits> kSafetyMeanings = {
     toTranslate("the tip moved farther than a hand can: no force"),
     toTranslate("the computed force was not a number: no force"),
     toTranslate("a force that grows slowly after a start inside"),
-    toTranslate("the passivity controller took force away"),
+    toTranslate("the passivity controller removed force"),
     toTranslate("shortened to the largest force"),
     toTranslate("the force would have grown too fast: no force"),
     toTranslate("the loop had stopped for too long: no force"),
@@ -35,7 +35,7 @@ constexpr std::array<const char*, servo::kSafetyBits> kSafetyMeanings = {
     toTranslate("no force until the tip has been outside once"),
     toTranslate("the soft first moment of a fast touch"),
     toTranslate("pressed: no force until it is released"),
-    toTranslate("a warning: the controller takes much of the force away"),
+    toTranslate("a warning: the controller removes much of the force"),
     toTranslate("the device is moved apart from its finger: no force")};
 
 constexpr std::array<const char*, 8> kContactMeanings = {

@@ -152,7 +152,7 @@ class PageWriter {
 
   void answers() {
     if (!anyCounted()) return;
-    addHeading(tr("Which site was taken for which"));
+    addHeading(tr("Which sites were confused"));
     for (const auto& [trials, what] : bothParts()) {
       if (trials->counted == 0) continue;
       TrainingPicture picture = answersPicture(*trials, tr(what));

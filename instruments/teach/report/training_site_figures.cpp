@@ -43,8 +43,8 @@ std::string mixedUp(const SiteAnswers& answers) {
       taken = answer;
     }
   }
-  if (most == 0) return tr("No site was taken for another.");
-  return trf("Most often site {} was taken for site {}, {} times.", of, taken, most);
+  if (most == 0) return tr("No site was confused with another.");
+  return trf("Most often site {} was confused with site {}, {} times.", of, taken, most);
 }
 
 figures::MeshView backView(const ReportBack& back, const std::vector<SiteFelt>& felt, std::string title,

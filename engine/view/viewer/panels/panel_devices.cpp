@@ -81,7 +81,7 @@ void openWidgets(const Part& part) {
   choiceWidget(part.path("back_end").c_str(), "device", held.back_end, names, "The device for this finger.");
   ImGui::SetNextItemWidth(0.56f * ImGui::GetContentRegionAvail().x);
   ImGui::InputText(fmt::format("{}##{}", tr("which"), part.path("which")).c_str(), &held.which);
-  notePlace(part.path("which"), "Which of several: a number, an address or a name; empty for the first.");
+  notePlace(part.path("which"), "Which of several devices: a number, an address or a name; empty for the first.");
   const std::string& name = back_ends[std::min(held.back_end, back_ends.size() - 1)].name;
   if (part.button("open", "Open", "Take the finger from the mouse; forces begin once its tip has been off the skin.")) {
     part.output.request(OpenDevice{part.finger, held.which.empty() ? name : name + ":" + held.which});

@@ -14,7 +14,8 @@ void drawDysfunctionList(const DysfunctionEdit& edit) {
         fmt::format("{}   {}##{}", i + 1, trf("{:+.0f} % at {}", items[i].change_percent, placeOf(items[i])), i);
     const bool chosen = edit.editor.selected == static_cast<int>(i);
     if (ImGui::Selectable(line.c_str(), chosen)) edit.editor.selected = static_cast<int>(i);
-    notePlace(fmt::format("dysfunctions/{}", i + 1), "Select this place: the wheel then sizes it, Delete removes it.");
+    notePlace(fmt::format("dysfunctions/{}", i + 1),
+              "Select this place; then the wheel sizes it and Delete removes it.");
   }
   if (items.empty()) remark("None: every place has its normal stiffness.");
 }

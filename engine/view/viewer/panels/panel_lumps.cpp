@@ -16,7 +16,7 @@ void drawLumpList(const LumpEdit& edit) {
     const std::string what = trf("{}: {:.0f} mm at {}", items[i].name, wide_mm, placeOf(items[i]));
     const bool chosen = edit.editor.selected == static_cast<int>(i);
     if (ImGui::Selectable(fmt::format("{}##{}", what, i).c_str(), chosen)) edit.editor.selected = static_cast<int>(i);
-    notePlace(fmt::format("lumps/{}", i + 1), "Select this lump: the wheel then sizes it, Delete removes it.");
+    notePlace(fmt::format("lumps/{}", i + 1), "Select this lump; then the wheel sizes it and Delete removes it.");
   }
   if (items.empty()) remark("None: there is nothing to be found under the skin.");
 }
@@ -72,7 +72,7 @@ void drawFields(const LumpEdit& edit, scene::LumpSettings& item, const std::stri
   hardnessField(edit, item, name);
   slider(edit, item.edge,
          {"lumps/edge", "soft edge", "%.2f", 0.0, 1.0, 0.0,
-          "Share of the radius over which it becomes as soft as the tissue; 0 is a sharp edge."},
+          "Share of the radius over which it softens to the tissue; 0 is a sharp edge."},
          trf("soften {}", name));
   mobilityField(edit, item, name);
   slider(edit, item.raise_mm,

@@ -42,7 +42,7 @@ void lookWidgets(const ShowPanel& panel) {
     panel.simpler_when_slow = false;  // an explicit choice stays
   }
   flagWidget("show/simpler", "smooth while it is slow", panel.simpler_when_slow,
-             "Below 20 pictures a second the skin is drawn smooth, until there is time to spare.");
+             "Below 20 pictures a second the skin is drawn smooth, until pictures are fast again.");
   if (panel.simple_now) {
     remark("Drawn smooth for now: pictures came too slowly.");
     if (buttonWidget("show/all_the_same", "Draw skin all the same")) panel.simpler_when_slow = false;

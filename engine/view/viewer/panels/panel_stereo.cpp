@@ -18,7 +18,7 @@ const char* wordsFor(window::HeadTracker::State state) {
   if (state == State::tracking) return toTranslate("seen");
   if (state == State::standing_still) return toTranslate("lost: the picture is frozen");
   return state == State::gliding ? toTranslate("lost: back to the place below")
-                                 : toTranslate("none is measured: the place below");
+                                 : toTranslate("not tracked: the place below");
 }
 
 void placeWidgets(Vec3& place, const std::array<const char*, 3>& paths, const Vec3& fallback, const char* meaning) {
@@ -40,7 +40,7 @@ void headWidgets(HeadSettings& head, const SeenHead& seen) {
                                        "Height of the lit part of the screen."});
   valueLine("eyes", fmt::format("{:.0f}, {:.0f}, {:.0f} mm", seen.eyes_mm.x(), seen.eyes_mm.y(), seen.eyes_mm.z()));
   remark(wordsFor(seen.state));
-  ImGui::TextUnformatted(tr("eyes while none are measured"));
+  ImGui::TextUnformatted(tr("eyes when not tracked"));
   placeWidgets(head.expected_mm, {"stereo/head_x", "stereo/head_y", "stereo/head_z"}, {0.0, 0.0, 600.0},
                "The point between the eyes, from the middle of the screen.");
   head.expected_mm.z() = std::max(head.expected_mm.z(), kNearestHeadMm);
@@ -55,7 +55,7 @@ void stereoPanel(const StereoPanel& panel) {
   view::StereoSettings& stereo = panel.stereo;
   auto mode = static_cast<std::size_t>(stereo.mode);
   if (choiceWidget("stereo/mode", "mode", mode, view::kStereoModeNames,
-                   "How the two pictures share the screen (key K). \"half\" squeezes each as televisions expect it.")) {
+                   "How the two pictures share the screen (key K). \"half\" squeezes each, as televisions expect.")) {
     stereo.mode = static_cast<view::StereoMode>(mode);
   }
   numberWidget(stereo.eye_distance_mm,

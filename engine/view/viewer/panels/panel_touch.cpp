@@ -20,22 +20,21 @@ constexpr std::array<std::string_view, kFingers> kFingerChoices = {toTranslate("
 void pressWidgets(TouchSettings& touch) {
   auto by = static_cast<std::size_t>(touch.by);
   if (choiceWidget("touch/by", "press by", by, kPressBy,
-                   "By depth a stiff place pushes back harder; by force it gives way less, so that it shows as a "
-                   "shallower dent: better for comparing places.")) {
+                   "By depth, a stiff place pushes back harder; by force, it gives way less and shows a shallower "
+                   "dent, which is better for comparing places.")) {
     touch.by = static_cast<device::PressBy>(by);
   }
   if (touch.by == device::PressBy::depth) {
     numberWidget(touch.depth_mm,
                  {"touch/depth", "depth", "%.1f mm", 0.0, kMaxDepthMm, 6.0,
-                  "How deep the finger presses. Wheel while pressing: 0.5 mm a notch, with Shift 0.1."});
+                  "How deep the finger presses. Wheel while pressing: 0.5 mm per notch, with Shift 0.1."});
   } else {
     numberWidget(touch.force_n, {"touch/force", "normal force", "%.2f N", 0.0, kMaxForceN, 3.0,
-                                 "How hard the finger presses: the part of the force along the press, without what it "
-                                 "pulls sideways. Wheel while pressing: 0.25 N a notch."});
+                                 "How hard the finger presses: the force along the press, without the sideways pull. "
+                                 "Wheel while pressing: 0.25 N per notch."});
   }
-  flagWidget(
-      "touch/resisting", "resist while pressing", touch.resisting_cursor,
-      "Pressing with both buttons moves slower the harder the skin pushes back: the eye reads it as resistance.");
+  flagWidget("touch/resisting", "resist while pressing", touch.resisting_cursor,
+             "Pressing with both buttons slows down as the skin pushes back harder, so that you see resistance.");
 }
 
 void radiusWidget(scene::Scene& scene, std::size_t active, UiOutput& output) {

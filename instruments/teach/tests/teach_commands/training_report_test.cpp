@@ -184,7 +184,7 @@ TEST_F(TrainingReport, OneTraineeIsToldEverythingInWords) {
                                     std::string("Force and speed"),
                                     std::string("mean force while searching (N)"),
                                     std::string("Time for a trial"),
-                                    std::string("Which site was taken for which"),
+                                    std::string("Which sites were confused"),
                                     std::string("Data quality"),
                                     std::string("easy trials (lapse check)"),
                                     std::string("simulated hand, soft thimble"),
