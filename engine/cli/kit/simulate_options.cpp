@@ -111,10 +111,10 @@ void addInputOptions(Command& command, SimulateOptions& options) {
 }
 
 void addShapeOptions(Command& command, SimulateOptions& options) {
-  restrictTo(
-      {kAverageBuild, "thin", "heavy"},
-      command.add_option("--build", options.build,
-                         "Build of the trunk, as in examples/scenes/thin.toml and heavy.toml (default: from the scene)"));
+  restrictTo({kAverageBuild, "thin", "heavy"},
+             command.add_option(
+                 "--build", options.build,
+                 "Build of the trunk, as in examples/scenes/thin.toml and heavy.toml (default: from the scene)"));
   restrictTo(wordList<body::Posture>(),
              command.add_option("--posture", options.posture,
                                 "Posture of the trunk: standing, prone or sitting (default: from the scene)"));
