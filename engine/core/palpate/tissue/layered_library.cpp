@@ -10,8 +10,8 @@ namespace palpate::tissue {
 
 namespace {
 
-#include "palpate/tissue/layered_fingers_data.inc"
-#include "palpate/tissue/layered_library_data.inc"
+#include "palpate/tissue/layered_fingers_numbers.inc"
+#include "palpate/tissue/layered_library_numbers.inc"
 
 constexpr std::size_t kShares = std::size(kFatShares);
 constexpr double kSkinMm = 2.0;

@@ -32,7 +32,7 @@ struct ShippedField {
   std::size_t presses;
 };
 
-#include "palpate/tissue/library_fields_data.inc"
+#include "palpate/tissue/library_fields_numbers.inc"
 
 constexpr double kSteps = 4095.0;
 

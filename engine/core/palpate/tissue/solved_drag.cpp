@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "palpate/base/elementary.h"
 
@@ -13,13 +14,13 @@ namespace {
 
 constexpr double kStep = 0.16;  // of ln(1 + rho^2)
 
-using Curve = std::array<double, kSolvedKnots>;
+using Curve = double[kSolvedKnots];
 
-/// Along and across, by turns.
-constexpr std::array<Curve, 2 * kSolvedStacks.size()> kCurves = {{
-#include "palpate/tissue/solved_drag_data.inc"
-}};
+// Along and across, by turns.
+#include "palpate/tissue/solved_drag_numbers.inc"
+
 constexpr std::size_t kStacks = kSolvedStacks.size();
+static_assert(std::size(kCurves) == 2 * kStacks);
 
 /// Weights of four neighbouring knots for a value and its derivative (Catmull and Rom).
 struct KnotWeights {

@@ -3,7 +3,7 @@
 // In round layers the whole motion follows from two curves: a place at the angle a from the drag moves by along(r) cos
 // a outwards and by -across(r) sin a round the contact, shares of the drag. Six stacks from the shortest tail to the
 // longest, blended in between; `palpate tissue library --solve --drag -o
-// engine/core/palpate/tissue/solved_drag_data.inc` solves them again.
+// engine/core/palpate/tissue/solved_drag_numbers.txt` solves them again.
 #pragma once
 
 #include <array>

@@ -48,7 +48,12 @@ const std::vector<double> kDepthsMm = {0.5, 1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9, 10, 
 /// The sphere stays this far from the bone, as a share of the thickness.
 constexpr double kClosestToBone = 0.1;
 
-std::string joinNumbers(const std::vector<double>& numbers) { return fmt::format("{:.6g}", fmt::join(numbers, ", ")); }
+std::string numberRow(const std::vector<double>& numbers) { return fmt::format("{:.6g}\n", fmt::join(numbers, ", ")); }
+
+/// A table as cmake/PalpateNumbers.cmake reads it.
+std::string numberTable(std::string_view type_and_name, std::string_view rows) {
+  return fmt::format("\n{}\n{}", type_and_name, rows);
+}
 
 std::vector<double> depthsOver(double thickness_mm) {
   std::vector<double> depths = kDepthsMm;
@@ -84,12 +89,11 @@ std::vector<LayeredNode> solvedNodes(const Progress& progress) {
 }
 
 std::string libraryText(const std::vector<LayeredNode>& nodes) {
-  std::string text = "// Made by `palpate tissue library --solve`; layered_library.cpp says what stands where.\n";
-  text += fmt::format("constexpr double kThicknessesMm[] = {{{}}};\n", joinNumbers(kThicknessesMm));
-  text += fmt::format("constexpr double kFatShares[] = {{{}}};\n", joinNumbers(kFatShares));
-  text += "constexpr double kNodes[] = {\n";
-  for (const LayeredNode& node : nodes) text += "    " + joinNumbers(tissue::libraryNumbers(node)) + ",\n";
-  return text + "};\n";
+  std::string rows;
+  for (const LayeredNode& node : nodes) rows += numberRow(tissue::libraryNumbers(node));
+  return "# Made by `palpate tissue library --solve`; layered_library.cpp says what stands where.\n" +
+         numberTable("double[] kThicknessesMm", numberRow(kThicknessesMm)) +
+         numberTable("double[] kFatShares", numberRow(kFatShares)) + numberTable("double[] kNodes", rows);
 }
 
 /// The forces of other fingers as the shipped file has them: how many of the depths were reached, and the force there.
@@ -110,14 +114,13 @@ std::string fingersText(const Progress& progress) {
         numbers.push_back(finger.force_n[d]);
       }
       numbers.front() = static_cast<double>(numbers.size() - 1);
-      rows += "    " + joinNumbers(numbers) + ",\n";
+      rows += numberRow(numbers);
       radii.push_back(finger.radius_mm);
     }
   }
-  return "// Made by `palpate tissue library --solve --fingers`; layered_library.cpp says what stands where.\n" +
-         fmt::format("constexpr double kFingerRadiiMm[] = {{{}}};\n", joinNumbers(radii)) +
-         fmt::format("constexpr double kFingerDepthsMm[] = {{{}}};\n", joinNumbers(kDepthsMm)) +
-         "constexpr double kFingerForces[] = {\n" + rows + "};\n";
+  return "# Made by `palpate tissue library --solve --fingers`; layered_library.cpp says what stands where.\n" +
+         numberTable("double[] kFingerRadiiMm", numberRow(radii)) +
+         numberTable("double[] kFingerDepthsMm", numberRow(kDepthsMm)) + numberTable("double[] kFingerForces", rows);
 }
 
 /// Shares of the drag at the table's distances, 4 digits.
@@ -125,23 +128,23 @@ std::string dragCurve(const std::function<double(double mm)>& moved) {
   std::vector<double> shares;
   for (std::size_t i = 0; i < tissue::kSolvedKnots; ++i)
     shares.push_back(std::round(1e4 * moved(tissue::solvedKnotMm(i))) * 1e-4 + 0.0);
-  return fmt::format("{{{{{:.4g}}}}},\n", fmt::join(shares, ", "));
+  return fmt::format("{:.4g}\n", fmt::join(shares, ", "));
 }
 
 std::string dragText(const Progress& progress) {
-  std::string text =
-      "// Made by `palpate tissue library --solve --drag`: along the drag and across it, stack by stack "
-      "(solved_drag.h).\n";
+  std::string rows;
   for (std::size_t i = 0; i < tissue::kSolvedStacks.size(); ++i) {
     report(progress, "dragging layers", static_cast<double>(i) / static_cast<double>(tissue::kSolvedStacks.size()));
     const tissue::SolvedStack& s = tissue::kSolvedStacks[i];
     const elements::DragField field = elements::solveDragField(
         {.layers = {{"skin", 2.0, s.skin_kpa}, {"fat", s.fat_mm, 10.0}, {"muscle", s.muscle_mm, 27.0}}},
         {.patch_radius_mm = tissue::kSolvedPatchMm});
-    text += dragCurve([&](double mm) { return field.movedAt({mm, 0.0}).x(); });
-    text += dragCurve([&](double mm) { return field.movedAt({0.0, mm}).x(); });
+    rows += dragCurve([&](double mm) { return field.movedAt({mm, 0.0}).x(); });
+    rows += dragCurve([&](double mm) { return field.movedAt({0.0, mm}).x(); });
   }
-  return text;
+  return "# Made by `palpate tissue library --solve --drag`: along the drag and across it, stack by stack "
+         "(solved_drag.h).\n" +
+         numberTable("Curve[] kCurves", rows);
 }
 
 /// Fourth roots of a row in steps of a 4,095th of the greatest, two characters each (library_fields.cpp reads them).
@@ -165,9 +168,8 @@ std::string formatPackedRows(const tissue::PressField& field) {
     const auto volume = std::span(field.volume).subspan(row * size, size);
     const float most_shear = *std::ranges::max_element(shear);
     const float most_volume = *std::ranges::max_element(volume);
-    text +=
-        fmt::format("    {{{:.9g}, {}, {:.6g}, {:.6g}, \"{}\", \"{}\"}},\n", field.rows_mm[row], field.row_layers[row],
-                    most_shear, most_volume, packedRow(shear, most_shear), packedRow(volume, most_volume));
+    text += fmt::format("{:.9g}, {}, {:.6g}, {:.6g}, \"{}\", \"{}\"\n", field.rows_mm[row], field.row_layers[row],
+                        most_shear, most_volume, packedRow(shear, most_shear), packedRow(volume, most_volume));
   }
   return text;
 }
@@ -194,19 +196,18 @@ std::string fieldsText(const Progress& progress) {
     if (!solution.table.field) throw Error(fmt::format("{} mm: {}", thickness, solution.stopped_by));
     const tissue::PressField& field = *solution.table.field;
     radii = field.radii_mm;
-    sizes += fmt::format("{{{}, {}}}, ", field.rows_mm.size(), field.depths_mm.size());
+    sizes += fmt::format("{}, {}\n", field.rows_mm.size(), field.depths_mm.size());
     for (const tissue::PressurePattern& pattern : field.patterns) {
-      patterns += fmt::format("{{{:.4g}, {:.3g}}}, ", pattern.contact_radius_mm, pattern.exponent);
+      patterns += fmt::format("{:.4g}, {:.3g}\n", pattern.contact_radius_mm, pattern.exponent);
     }
-    patterns += "\n    ";
     rows += formatPackedRows(field);
   }
-  return "// Made by `palpate tissue library --solve --field`; library_fields.cpp says what stands where.\n" +
-         fmt::format("constexpr double kFieldRadiiMm[] = {{{}}};\n", joinNumbers(radii)) +
-         fmt::format("constexpr double kFieldDepthsMm[] = {{{}}};\n", joinNumbers(all_depths)) +
-         fmt::format("constexpr ShippedField kFields[] = {{{}}};\n", sizes) +
-         fmt::format("constexpr PressurePattern kFieldPatterns[] = {{\n    {}}};\n", patterns) +
-         "constexpr ShippedRow kFieldRows[] = {\n" + rows + "};\n";
+  return "# Made by `palpate tissue library --solve --field`; library_fields.cpp says what stands where.\n" +
+         numberTable("double[] kFieldRadiiMm", numberRow(radii)) +
+         numberTable("double[] kFieldDepthsMm", numberRow(all_depths)) +
+         numberTable("# rows, presses\nShippedField[] kFields", sizes) +
+         numberTable("# contact_radius_mm, exponent\nPressurePattern[] kFieldPatterns", patterns) +
+         numberTable("# depth_mm, layer, shear_scale, volume_scale, shear, volume\nShippedRow[] kFieldRows", rows);
 }
 
 void solveDrags(const LibraryArguments& arguments) {
@@ -273,7 +274,7 @@ void addTissueLibraryCommand(Command& parent) {
   addSetting(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Thickness of the fat between skin and muscle");
   addSetting(command, "--finger-radius-mm", a.finger_mm, between(1.0, 24.0, "mm"), "Radius of the pressing finger");
   Option& solve =
-      *command.add_flag("--solve", a.solve, "Solve all stacks again (minutes) and write the shipped source file");
+      *command.add_flag("--solve", a.solve, "Solve all stacks again (minutes) and write the shipped numbers");
   Option& fingers =
       *command
            .add_flag("--fingers", a.fingers,
