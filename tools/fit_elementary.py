@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes engine/core/palpate/base/detail/elementary_tables.h: what the elementary functions look up, from 60 digits.
+"""Writes engine/core/palpate/base/elementary_numbers.txt: what the elementary functions look up, from 60 digits.
 
   tools/fit_elementary.py            writes the table
   tools/fit_elementary.py --check    exit code 1 when the table is not what would be written
@@ -13,7 +13,7 @@ import mpmath
 from mpmath import mpf
 
 mpmath.mp.prec = 1400  # 2/pi is written to 1200 bits
-TABLE = pathlib.Path(__file__).resolve().parent.parent / "engine/core/palpate/base/detail/elementary_tables.h"
+TABLE = pathlib.Path(__file__).resolve().parent.parent / "engine/core/palpate/base/elementary_numbers.txt"
 
 
 def double(value):
@@ -38,24 +38,25 @@ def short(value, bits):
     return float(mpmath.nint(value * scale) / scale)
 
 
-def pair_line(value):
-    return "    {%s, %s},\n" % tuple(words(part) for part in pair(value))
+def table(kind, name, about, rows):
+    """A table as cmake/PalpateNumbers.cmake reads it."""
+    return f"\n# {about}\n{kind} {name}\n" + "".join(", ".join(row) + "\n" for row in rows)
 
 
 def pair_table(name, about, values):
-    values = list(values)
-    body = "".join(pair_line(v) for v in values)
-    return f"/// {about}\ninline constexpr DoublePair {name}[{len(values)}] = {{\n{body}}};\n\n"
+    return table("DoublePair[]", name, about, ([words(part) for part in pair(v)] for v in values))
 
 
 def doubles(name, about, values):
-    values = list(values)
-    body = "".join(f"    {words(double(v))},\n" for v in values)
-    return f"/// {about}\ninline constexpr double {name}[{len(values)}] = {{\n{body}}};\n\n"
+    return table("double[]", name, about, ([words(double(v))] for v in values))
 
 
 def pair_constant(name, about, value):
-    return f"/// {about}\ninline constexpr DoublePair {name} = {{%s, %s}};\n" % tuple(words(p) for p in pair(value))
+    return table("DoublePair", name, about, [[words(part) for part in pair(value)]])
+
+
+def constant(name, about, value):
+    return table("double", name, about, [[words(double(value))]])
 
 
 def parts(name, about, value, bits, count):
@@ -65,38 +66,32 @@ def parts(name, about, value, bits, count):
         found.append(short(value, bits))
         value -= mpf(found[-1])
     found.append(double(value))
-    numbers = ", ".join(words(n) for n in found)
-    return f"/// {about}\ninline constexpr double {name}[{count}] = {{{numbers}}};\n"
+    return table("double[]", name, about, [[words(n) for n in found]])
 
 
 def text():
     ln2, pi = mpmath.log(2), mpmath.pi
     two_over_pi = mpmath.floor(2 / pi * mpf(2) ** 1216)
     limbs = [int(two_over_pi / mpf(2) ** (1216 - 32 * (i + 1))) & 0xFFFFFFFF for i in range(38)]
-    out = "// Written by tools/fit_elementary.py; do not edit by hand. What base/elementary.cpp looks up.\n#pragma once\n\n"
-    out += "#include <cstdint>\n\nnamespace palpate::elementary {\n\n// clang-format off\n"
-    out += "/// Their sum is meant: `low` is at most half of the last bit of `high`.\nstruct DoublePair {\n  double high, low;\n};\n\n"
+    out = "# Written by tools/fit_elementary.py; do not edit by hand. What base/elementary.cpp looks up.\n"
     out += parts("kLn2", "ln 2. The first has 32 bits: its product with an exponent is exact.", ln2, 32, 2)
     out += parts("kLn2Of128", "ln 2 / 128. The first has 32 bits: its product with a whole number below 2^18 is exact.", ln2 / 128, 32, 2)
-    out += f"/// 128 / ln 2.\ninline constexpr double k128OfLn2 = {words(double(128 / ln2))};\n"
+    out += constant("k128OfLn2", "128 / ln 2.", 128 / ln2)
     out += pair_constant("kOneOfLn2", "1 / ln 2.", 1 / ln2)
     out += parts("kHalfPi", "pi / 2. Products of all but the last with a whole number below 2^20 are exact.", pi / 2, 33, 4)
     out += pair_constant("kHalfPiPair", "pi / 2.", pi / 2)
     out += pair_constant("kPiPair", "pi.", pi)
-    out += f"/// 2 / pi.\ninline constexpr double kTwoOfPi = {words(double(2 / pi))};\n\n"
-    out += "/// 2 / pi as a binary fraction, 32 bits each.\ninline constexpr std::uint32_t kTwoOfPiBits[38] = {\n"
-    for i in range(0, 38, 8):
-        out += "    " + " ".join(f"0x{limb:08x}," for limb in limbs[i : i + 8]) + "\n"
-    out += "};\n\n"
+    out += constant("kTwoOfPi", "2 / pi.", 2 / pi)
+    out += table("std::uint32_t[]", "kTwoOfPiBits", "2 / pi as a binary fraction, 32 bits each.",
+                 ([f"0x{limb:08x}" for limb in limbs[i:i + 8]] for i in range(0, 38, 8)))
     out += pair_table("kExp2Of128ths", "2^(j / 128), j from 0.", (mpf(2) ** (mpf(j) / 128) for j in range(128)))
     out += pair_table("kLogOf128ths", "ln(j / 128), j from kFirstLog.", (mpmath.log(mpf(j) / 128) for j in range(90, 183)))
-    out += "inline constexpr int kFirstLog = 90;\n\n"
+    out += "\nint kFirstLog\n90\n"
     out += doubles("kOneOf128ths", "128 / j, j from kFirstLog.", (mpf(128) / j for j in range(90, 183)))
     out += pair_table("kAtanOf64ths", "atan(j / 64), j from 0 to 64.", (mpmath.atan(mpf(j) / 64) for j in range(65)))
     out += pair_table("kErfOf16ths", "erf(j / 16), j from 0 to 96.", (mpmath.erf(mpf(j) / 16) for j in range(97)))
     slopes = (2 / mpmath.sqrt(pi) * mpmath.exp(-(mpf(j) / 16) ** 2) for j in range(97))
     out += doubles("kErfSlopeOf16ths", "2 / sqrt(pi) exp(-(j / 16)^2): the slope of erf, j from 0 to 96.", slopes)
-    out += "// clang-format on\n\n}  // namespace palpate::elementary\n"
     return out
 
 
@@ -107,7 +102,6 @@ def main():
         if TABLE.read_text() != text():
             sys.exit(f"{TABLE}: not what tools/fit_elementary.py writes")
     else:
-        TABLE.parent.mkdir(exist_ok=True)
         TABLE.write_text(text())
 
 

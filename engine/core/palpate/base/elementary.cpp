@@ -1,5 +1,5 @@
 // Exactness beyond 53 bits is kept as a pair of doubles, `high` rounded and `low` the remainder (Dekker 1971). All
-// polynomials are Taylor's: tables (detail/elementary_tables.h) make their arguments small.
+// polynomials are Taylor's: tables (elementary_numbers.txt) make their arguments small.
 #include "palpate/base/elementary.h"
 
 #include <bit>
@@ -9,11 +9,16 @@
 #include <numbers>
 #include <utility>
 
-#include "palpate/base/detail/elementary_tables.h"
-
 namespace palpate::elementary {
 
 namespace {
+
+/// Their sum is meant: `low` is at most half of the last bit of `high`.
+struct DoublePair {
+  double high, low;
+};
+
+#include "palpate/base/elementary_numbers.inc"
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
