@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Fits the built-in skin to a MakeHuman body and writes its table, engine/core/palpate/body/skin_table.cpp.
+"""Fits the built-in skin to a MakeHuman body and writes its table, engine/core/palpate/body/skin_numbers.txt.
 
     tools/fit_skin.py --base base.obj --target caucasian-male-young.target \\
         --target universal-male-young-averagemuscle-averageweight.target \\
-        [--scan back_scan.obj] -o engine/core/palpate/body/skin_table.cpp
+        [--scan back_scan.obj] -o engine/core/palpate/body/skin_numbers.txt
 
 Inputs are MakeHuman's base mesh hm08 and two of its shape targets (CC0 since September 2020; makehumancommunity.org). The
 product does not need them: the table in the source is what this tool wrote. `--scan` only reports how far a patch of the
@@ -250,31 +250,24 @@ def scan_report(table, path):
     print(f"{path}: RMS {rms:.3f} mm, p99 {np.percentile(abs(distance), 99):.2f} mm, max {abs(distance).max():.2f} mm")
 
 
-HEADER = """// Written by tools/fit_skin.py; do not edit by hand.
-//
-// Provenance: MakeHuman base mesh hm08 + 1.0 x caucasian-male-young + 1.0 x universal-male-young-averagemuscle-averageweight,
-// released as CC0 by their owners in September 2020 (makehumancommunity.org), scaled to a stature of 1750 mm.
-#include "palpate/body/skin_table.h"
-
-namespace palpate::body {
-
-// clang-format off
+HEADER = """# Written by tools/fit_skin.py; do not edit by hand.
+#
+# Provenance: MakeHuman base mesh hm08 + 1.0 x caucasian-male-young + 1.0 x
+# universal-male-young-averagemuscle-averageweight, released as CC0 by their owners in September 2020
+# (makehumancommunity.org), scaled to a stature of 1750 mm.
 """
 
 
 def write_table(path, table, outline):
     with open(path, "w", encoding="utf-8") as file:
         file.write(HEADER)
-        file.write("const std::array<std::array<float, kSkinAlong>, kSkinAcrossStored> kSkinRadius = {{\n")
+        file.write("\n# mm, a row for each angle\nSkinRow[] kSkinRadii\n")
         for row in table:
-            file.write("    {" + ", ".join(f"{v:.1f}f" for v in row) + "},\n")
-        file.write("}};\n")
+            file.write(", ".join(f"{v:.1f}" for v in row) + "\n")
         for name, line in zip(("Flank", "Arm", "Ridge"), outline):
-            file.write(f"\nstd::span<const OutlinePoint> outline{name}() {{\n  static constexpr OutlinePoint kPoints[] = {{\n")
-            for start in range(0, len(line), 8):
-                file.write("    " + " ".join(f"{{{a:.3f}, {y:.2f}}}," for a, y in line[start:start + 8]) + "\n")
-            file.write("  };\n  return kPoints;\n}\n")
-        file.write("// clang-format on\n\n}  // namespace palpate::body\n")
+            file.write(f"\n# angle_deg, y_mm\nOutlinePoint[] kOutline{name}\n")
+            for a, y in line:
+                file.write(f"{a:.3f}, {y:.2f}\n")
 
 
 def main():
@@ -282,7 +275,7 @@ def main():
     parser.add_argument("--base", required=True, help="MakeHuman base mesh (OBJ, decimetres)")
     parser.add_argument("--target", action="append", default=[], help="shape target, added x 1.0; repeatable")
     parser.add_argument("--scan", action="append", default=[], help="patch of the same body to compare with (OBJ)")
-    parser.add_argument("-o", "--output", required=True, help="C++ file to write")
+    parser.add_argument("-o", "--output", required=True, help="file to write")
     options = parser.parse_args()
     samples, weights = back_samples(*build_body(options))
     table = fit(samples, weights)

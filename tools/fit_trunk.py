@@ -1,9 +1,9 @@
 #!/usr/bin/python3
-"""Fits the built-in trunk to a MakeHuman body and writes its table, engine/core/palpate/body/trunk/trunk_table.cpp.
+"""Fits the built-in trunk to a MakeHuman body and writes its table, engine/core/palpate/body/trunk/trunk_numbers.txt.
 
     tools/fit_trunk.py --base base.obj --target caucasian-male-young.target \\
         --target universal-male-young-averagemuscle-averageweight.target \\
-        [--scan back_scan.obj] -o engine/core/palpate/body/trunk/trunk_table.cpp
+        [--scan back_scan.obj] -o engine/core/palpate/body/trunk/trunk_numbers.txt
 
 Inputs are MakeHuman's base mesh hm08 and two of its shape targets (CC0 since September 2020; makehumancommunity.org). The
 product does not need them: the table in the source is what this tool wrote. `--scan` only reports how far a patch of the
@@ -295,13 +295,11 @@ def table_text(coefficients, active, shape):
         level = min(max(int(round(value / UNIT_MM)) + base * base // 2, 0), base * base - 1)
         text += DIGITS[level // base] + DIGITS[level % base]
     lines = [text[i:i + 112] for i in range(0, len(text), 112)]
-    return ("// Written by tools/fit_trunk.py; do not edit by hand.\n//\n"
-            "// Provenance: MakeHuman base mesh hm08 + 1.0 x caucasian-male-young + 1.0 x\n"
-            "// universal-male-young-averagemuscle-averageweight, released as CC0 by their owners in September 2020\n"
-            "// (makehumancommunity.org), scaled to a stature of 1750 mm, its neck, arms and thighs cut off and rounded.\n"
-            '#include "palpate/body/trunk/trunk_table.h"\n\nnamespace palpate::body {\n\n// clang-format off\n'
-            "const std::string_view kTrunkTable =\n" + "\n".join(f'    R"~({line})~"' for line in lines) +
-            ";\n// clang-format on\n\n}  // namespace palpate::body\n")
+    return ("# Written by tools/fit_trunk.py; do not edit by hand.\n#\n"
+            "# Provenance: MakeHuman base mesh hm08 + 1.0 x caucasian-male-young + 1.0 x\n"
+            "# universal-male-young-averagemuscle-averageweight, released as CC0 by their owners in September 2020\n"
+            "# (makehumancommunity.org), scaled to a stature of 1750 mm, its neck, arms and thighs cut off and rounded.\n"
+            "\ntext kTrunkTable\n" + "".join(f'"{line}"\n' for line in lines))
 
 
 def report(name, places, function):

@@ -6,6 +6,7 @@
 #include "palpate/body/skin_relief.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 

@@ -1,12 +1,13 @@
 // Radius = table + detail, both B-splines over (angle, height); position and tangents from it in cylinder coordinates,
 // transformed through the warp by its Jacobian, scaled at the end.
 //
-// The table is fitted by tools/fit_skin.py (provenance in skin_table.cpp).
+// The table is fitted by tools/fit_skin.py (provenance in skin_numbers.txt).
 #include "palpate/body/skin_surface.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -24,7 +25,7 @@ BicubicSpline tableSpline() {
   std::vector<double> coefficients;
   coefficients.reserve(static_cast<std::size_t>(kSkinAcross) * kSkinAlong);
   for (int row = 0; row < kSkinAcross; ++row) {
-    const auto& stored = kSkinRadius[static_cast<std::size_t>(std::min(row, kSkinAcross - 1 - row))];
+    const std::span<const float> stored = skinRadii(std::min(row, kSkinAcross - 1 - row));
     coefficients.insert(coefficients.end(), stored.begin(), stored.end());
   }
   return {kSkinAcross, kSkinAlong, std::move(coefficients)};

@@ -1,11 +1,10 @@
 // The numbers of the built-in skin: spline coefficients and the outline of the trimmed back.
 //
-// Data only, written by tools/fit_skin.py (provenance in skin_table.cpp); read by skin_surface and skin_outline.
+// Data only, written by tools/fit_skin.py (provenance in skin_numbers.txt); read by skin_surface and skin_outline.
 // A man of kTableStatureMm; the surface is a radius r(angle, y) about the axis x = 0, z = kSkinAxisZ, angle = atan2(x,
 // z - axis).
 #pragma once
 
-#include <array>
 #include <span>
 
 namespace palpate::body {
@@ -20,8 +19,8 @@ inline constexpr int kSkinAcross = 20;
 inline constexpr int kSkinAcrossStored = 10;  // the other half is its mirror image
 inline constexpr int kSkinAlong = 24;
 
-/// Coefficients in mm; row 0 is the border at -half angle (and, mirrored, at +half angle), column 0 is kSkinLow.
-extern const std::array<std::array<float, kSkinAlong>, kSkinAcrossStored> kSkinRadius;
+/// Coefficients in mm of a row from kSkinLow up; row 0 is the border at -half angle (and, mirrored, at +half angle).
+std::span<const float> skinRadii(int row);
 
 /// A point of the outline: the border of the trimmed skin on the right side, the left mirrors it.
 struct OutlinePoint {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "palpate/body/trunk/trunk_table.h"
@@ -11,6 +12,8 @@
 namespace palpate::body {
 
 namespace {
+
+#include "palpate/body/trunk/trunk_numbers.inc"
 
 constexpr double kFarMm = 70.0;  // meaning of a sign in the table: beyond every coefficient that matters
 constexpr int kNewtonRounds = 6;
@@ -29,13 +32,14 @@ std::vector<double> decoded() {
   std::vector<double> coefficients;
   coefficients.reserve(static_cast<std::size_t>(kTrunkTableX) * kTrunkTableY * kTrunkTableZ);
   constexpr int kMiddle = kTrunkTableBase * kTrunkTableBase / 2;
-  for (std::size_t i = 0; i < kTrunkTable.size(); ++i) {
-    const char first = kTrunkTable[i];
+  constexpr std::string_view kTable(kTrunkTable, std::size(kTrunkTable) - 1);
+  for (std::size_t i = 0; i < kTable.size(); ++i) {
+    const char first = kTable[i];
     if (first == '+' || first == '-') {
       coefficients.push_back(first == '+' ? kFarMm : -kFarMm);
       continue;
     }
-    const int digits = kTrunkTableBase * decodeDigit(first) + decodeDigit(kTrunkTable[++i]);
+    const int digits = kTrunkTableBase * decodeDigit(first) + decodeDigit(kTable[++i]);
     coefficients.push_back(kTrunkTableUnitMm * (digits - kMiddle));
   }
   return coefficients;

@@ -1,8 +1,6 @@
-// The fitted coefficients of the trunk's skin, as tools/fit_trunk.py writes them: their layout; trunk_field.h has their
-// meaning.
+// The fitted coefficients of the trunk's skin, as tools/fit_trunk.py writes them (trunk_numbers.txt): their layout;
+// trunk_field.h has their meaning.
 #pragma once
-
-#include <string_view>
 
 namespace palpate::body {
 
@@ -21,6 +19,5 @@ inline constexpr double kTrunkTableLowZ = -150.0;
 /// the skin a single sign replaces a coefficient: '+' outside the body, '-' inside.
 inline constexpr int kTrunkTableBase = 87;
 inline constexpr double kTrunkTableUnitMm = 0.025;
-extern const std::string_view kTrunkTable;
 
 }  // namespace palpate::body
