@@ -5,7 +5,7 @@ changes none of it; only having less does. tools/weight holds the figures agains
   test_lines    the same in tests
   characters    of those lines, blanks left out
   names         different words of headers that others include, outside strings: what a reader of the interface meets
-  data_bytes    of numbers that are kept as text of C++: .inc files
+  data_bytes    of numbers that are kept as text of C++: .inc files, and rows of numbers in files that have over 2 kB of them
   second_heads  files that hold another file's opening comment after their own code began
   options       of commands, counted where they are declared
   keys          of scene files, by kSceneKeys of engine/host/palpate/scene/detail/scene_keys.h, which a test holds
@@ -18,6 +18,11 @@ import subprocess
 
 COMMENTS = {".h": "//", ".cpp": "//", ".c": "//", ".cs": "//", ".js": "//", ".mjs": "//", ".ts": "//", ".py": "#", ".cmake": "#", ".sh": "#"}
 COMPILED = {".h", ".cpp", ".c"}
+NUMBER = r"[-+]?(?:0[xX][0-9a-fA-F.]+(?:p[-+]?\d+)?|\d[\d.]*(?:e[-+]?\d+)?)[fFuUlL]*"
+PACKED = r'R?"[^"\s]{60,}"'  # a long string without a blank
+NUMBER_ROW = re.compile(rf"[\s{{}}]*(?:{NUMBER}|{PACKED})(?:[\s{{}},]+(?:{NUMBER}|{PACKED}))*[\s{{}},;]*")
+NUMBER_ROWS = 4  # in a row are a table
+SMALL_TABLES = 2048  # bytes in a file: they are read with its code
 FIGURES = ("lines", "test_lines", "characters", "names", "data_bytes", "second_heads", "options", "keys", "words")
 SCENE_KEYS = "engine/host/palpate/scene/detail/scene_keys.h"
 
@@ -82,6 +87,19 @@ def has_second_head(text):
     return False
 
 
+def bytes_of_tables(lines):
+    """What a file's tables of numbers take, where that is not small."""
+    total = at = 0
+    while at < len(lines):
+        first = at
+        while at < len(lines) and NUMBER_ROW.fullmatch(lines[at].split("//", 1)[0].rstrip()):
+            at += 1
+        if at - first >= NUMBER_ROWS:
+            total += sum(len(line) + 1 for line in lines[first:at])
+        at = max(at, first + 1)
+    return total if total > SMALL_TABLES else 0
+
+
 def weigh_code(path, text, language, found):
     code = code_of(text.splitlines(), COMMENTS[language])
     if is_test(path):
@@ -90,6 +108,7 @@ def weigh_code(path, text, language, found):
     found["lines"] += len(code)
     found["characters"] += sum(len("".join(line.split())) for line in code)
     if language in COMPILED:
+        found["data_bytes"] += bytes_of_tables(text.splitlines())
         found["second_heads"] += has_second_head(text)
         found["options"] += len(re.findall(r'"(?:-\w,)?--[a-z][a-z0-9-]*"', "\n".join(code)))
 

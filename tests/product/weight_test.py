@@ -148,6 +148,15 @@ class Weight(unittest.TestCase):
         self.assertEqual(folded["lines"], apart["lines"] - 1)  # one #pragma once
         self.assertEqual((apart["second_heads"], folded["second_heads"]), (0, 1))
 
+    def test_numbers_in_code_are_data(self):
+        self.assertEqual(self.figures()["products"]["core"]["data_bytes"], 0)
+        rows = "  {0x1.8p-1, -2.5e-3f},\n" * 100
+        self.write("sources/engine/core/palpate/table.cpp", f"const double kTable[][2] = {{\n{rows}}};\n")
+        self.write("sources/engine/core/palpate/row.inc", "1, 2\n")
+        self.write("sources/engine/core/palpate/small.cpp", "const int kSmall[] = {\n  1, 2,\n  3, 4,\n  5, 6,\n  7, 8,\n};\n")
+        self.write("sources/engine/core/palpate/row_numbers.txt", "double[] kRow\n" + "1, 2\n" * 1000)
+        self.assertEqual(self.figures()["products"]["core"]["data_bytes"], len(rows) + len("1, 2\n"))
+
     def test_one_line_more_needs_a_reason(self):
         self.run_tool("--update")
         self.assertEqual(self.run_tool("--check")[0], 0)
