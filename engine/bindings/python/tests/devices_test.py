@@ -136,7 +136,7 @@ def test_what_makes_no_sense_is_refused(torso):
         with pytest.raises(ValueError, match=r"\(2, 3\)"):
             loop.tick([0.0, 0.0, 900.0])
         assert [touch.state for touch in loop.tick([[0, 0, 900], [9, 0, 900]])] == ["free", "free"]
-        with pytest.raises(ValueError, match="no session"):
+        with pytest.raises(ValueError, match="does not record a session"):
             loop.mark("here")
     with pytest.raises(ValueError, match="closed"):
         loop.tick([[0, 0, 900], [9, 0, 900]])

@@ -86,7 +86,7 @@ TEST(Calibration, RefusesWhatDoesNotTellAPlace) {
   EXPECT_NE(refusal(line, kCorners).find("points of the device are nearly on a line"), std::string::npos);
   EXPECT_NE(refusal(kCorners, line).find("points of the body are nearly on a line"), std::string::npos);
   const Places straight = {Vec3(0, 0, 0), Vec3(30, 0, 0), Vec3(60, 0, 0)};
-  EXPECT_NE(refusal(straight, kCorners).find("0.0 mm beside"), std::string::npos) << refusal(straight, kCorners);
+  EXPECT_NE(refusal(straight, kCorners).find("0.0 mm wide"), std::string::npos) << refusal(straight, kCorners);
   const Places near = {Vec3(0, 0, 0), Vec3(5, 0, 0), Vec3(0, 5, 0)};
   EXPECT_NE(refusal(near, kCorners).find("are within 7.1 mm"), std::string::npos) << refusal(near, kCorners);
   EXPECT_NE(refusal(Places(3, Vec3(1, 1, 1)), kCorners).find("are within 0.0 mm"), std::string::npos);

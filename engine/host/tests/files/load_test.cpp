@@ -204,8 +204,8 @@ TEST(LoadGltf, ReadsBuffersBesideTheFileAndNowhereElse) {
     EXPECT_NE(thrownMessage([&] { load(folder / "bad.gltf"); }).find("same folder or below"), std::string::npos) << uri;
   }
   writeFile(folder / "bad.gltf", with_uri("parts/a b.bin%00.png"));
-  EXPECT_NE(thrownMessage([&] { load(folder / "bad.gltf"); }).find("cannot hold a zero byte"), std::string::npos);
-  EXPECT_NE(refusal(with_uri("parts/a b.bin"), Format::gltf).find("no folder to look in"), std::string::npos);
+  EXPECT_NE(thrownMessage([&] { load(folder / "bad.gltf"); }).find("must not contain a zero byte"), std::string::npos);
+  EXPECT_NE(refusal(with_uri("parts/a b.bin"), Format::gltf).find("has no folder to search"), std::string::npos);
   writeFile(folder / "missing.gltf", with_uri("gone.bin"));
   EXPECT_NE(thrownMessage([&] { load(folder / "missing.gltf"); }).find("gone.bin: no such file"), std::string::npos);
 }
@@ -219,7 +219,7 @@ TEST(LoadGltf, ChecksEverySizeAgainstTheBytes) {
   };
   EXPECT_NE(with(R"("count":8)", R"("count":9)").find("the accessor declares 9 elements, but the bufferView has 8"),
             std::string::npos);
-  EXPECT_NE(with(R"("count":36)", R"("count":4000000000)").find("promised"), std::string::npos);
+  EXPECT_NE(with(R"("count":36)", R"("count":4000000000)").find("the accessor declares 4000000000 elements"), std::string::npos);
   EXPECT_NE(with(R"("byteLength":96)", R"("byteLength":1e300)").find("byteLength"), std::string::npos);
   EXPECT_NE(with(R"("byteOffset":96)", R"("byteOffset":-1)").find("byteOffset"), std::string::npos);
   EXPECT_NE(with(R"("POSITION":0)", R"("POSITION":7)").find("accessor 7"), std::string::npos);

@@ -268,7 +268,7 @@ TEST(PersonPress, ADragThatIsNotTheOneAskedForIsRefused) {
   EXPECT_TRUE(assessPress(measurement, down, 0.1).accepted);
   const PressOutcome swapped = assessPress(measurement, up, 0.1);
   EXPECT_FALSE(swapped.accepted);
-  EXPECT_NE(swapped.refusals.front().find("pulled down, and up was asked for"), std::string::npos);
+  EXPECT_NE(swapped.refusals.front().find("the skin was dragged down, expected up"), std::string::npos);
   const PressOutcome moved = assessPress(measurement, down, 0.8);
   EXPECT_FALSE(moved.accepted);
   EXPECT_NE(moved.refusals.front().find("moved 0.80 mm"), std::string::npos);

@@ -164,7 +164,7 @@ TEST_F(MeasureDots, WrongInputIsSaidInOneLine) {
       {"dots.csv", "dots.csv:3: picture 'later' must be before or after"},
       {"dots.csv --null " + before(), "--null: needs photographs, not a table of dots"},
       {pair() + " --spacing-mm 2", "--spacing-mm: 2 is out of range: 5 to 100 mm"},
-      {pair() + " --contact 99999,5", "--contact: 99999,5 lies outside the picture"},
+      {pair() + " --contact 99999,5", "--contact: 99999,5 is outside the picture"},
       {pair() + " --name a,b", "--name: has a comma"},
       {pair() + " --at 1,2,3,4", "--at: expected X,Y or a place such as 'T6'"},
       {pair() + " --overlay it.jpg", "it.jpg: a plot's name must end in .png or .svg"},

@@ -305,7 +305,7 @@ TEST_F(ReportCommand, MissingTicksBitsAndDroppedSamplesAreTold) {
   EXPECT_EQ(all["fingers"][0]["contacts"], 3) << "the gap parts the first one";
   const std::string words = report();
   EXPECT_TRUE(has(words, "150 of 2,201 ticks are missing (6.8 %), in 1 gap; the longest gap is 150 ms"));
-  EXPECT_TRUE(has(words, "12 samples found no room"));
+  EXPECT_TRUE(has(words, "12 samples were dropped"));
 }
 
 TEST_F(ReportCommand, ADamagedBlockIsNamedAndLeavesNoPage) {

@@ -102,8 +102,8 @@ TEST(LumpJudge, RefusesALumpThatNobodyCanPress) {
            std::pair{R"("half_axes_mm": [6, 6], "young_kpa": 9)", "half_axes_mm must be three numbers"},
            std::pair{R"("half_axes_mm": [6, 5, 3], "young_kpa": 9)", "the first two half axes must be equal"},
            std::pair{R"("half_axes_mm": 6, "young_kpa": 9)", "half_axes_mm must be three numbers"},
-           std::pair{R"("diameter_mm": 6, "young_kpa": 90, "raise_mm": 2)", "has no raise_mm"},
-           std::pair{R"("diameter_mm": 6, "young_kpa": 90, "mobility_mm_per_n": 2)", "has no mobility_mm_per_n"},
+           std::pair{R"("diameter_mm": 6, "young_kpa": 90, "raise_mm": 2)", "must not have raise_mm"},
+           std::pair{R"("diameter_mm": 6, "young_kpa": 90, "mobility_mm_per_n": 2)", "must not have mobility_mm_per_n"},
        }) {
     EXPECT_NE(fault(keys).find(words), std::string::npos) << keys << ": " << fault(keys);
   }

@@ -130,7 +130,7 @@ TEST_F(TissueCommand, NamesWhatItCannotShow) {
 TEST_F(TissueCommand, ListsModuliWithTheirSources) {
   const CommandResult text = tissue("moduli");
   ASSERT_EQ(text.exit_code, 0) << text.err;
-  for (const char* words : {"skin", "fat", "muscle", "10.1186/s12891-017-1733-8", "represent nobody", "oiled"}) {
+  for (const char* words : {"skin", "fat", "muscle", "10.1186/s12891-017-1733-8", "represent no individual", "oiled"}) {
     EXPECT_NE(text.out.find(words), std::string::npos) << words;
   }
   const json listed = json::parse(tissue("moduli --json").out);
