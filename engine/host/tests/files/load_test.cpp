@@ -219,7 +219,8 @@ TEST(LoadGltf, ChecksEverySizeAgainstTheBytes) {
   };
   EXPECT_NE(with(R"("count":8)", R"("count":9)").find("the accessor declares 9 elements, but the bufferView has 8"),
             std::string::npos);
-  EXPECT_NE(with(R"("count":36)", R"("count":4000000000)").find("the accessor declares 4000000000 elements"), std::string::npos);
+  EXPECT_NE(with(R"("count":36)", R"("count":4000000000)").find("the accessor declares 4000000000 elements"),
+            std::string::npos);
   EXPECT_NE(with(R"("byteLength":96)", R"("byteLength":1e300)").find("byteLength"), std::string::npos);
   EXPECT_NE(with(R"("byteOffset":96)", R"("byteOffset":-1)").find("byteOffset"), std::string::npos);
   EXPECT_NE(with(R"("POSITION":0)", R"("POSITION":7)").find("accessor 7"), std::string::npos);

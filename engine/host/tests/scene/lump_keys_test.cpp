@@ -138,7 +138,8 @@ TEST_F(LumpsInADome, ThoseThatCannotBeThereAreRefusedWithFileAndLine) {
   for (int i = 0; i <= 64; ++i) many += "[[lump]]\n";
   EXPECT_EQ(messageOfBuild(many), "s.toml:70: more than 64 [[lump]]");
   EXPECT_EQ(messageOfBuild("[[lump]]\nat = \"T99\"\n").substr(0, 10), "s.toml:6: ");
-  EXPECT_NE(messageOfBuild("lumps = \"solved\"\n[[lump]]\n").find("lumps = \"solved\" run `palpate lump solve`"), std::string::npos);
+  EXPECT_NE(messageOfBuild("lumps = \"solved\"\n[[lump]]\n").find("lumps = \"solved\" run `palpate lump solve`"),
+            std::string::npos);
 }
 
 TEST_F(LumpsInADome, NeighboursThatPassTheLoadOnAreNoted) {
