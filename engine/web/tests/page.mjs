@@ -319,7 +319,7 @@ test('everything the mouse does is done by the keys: press and let go, turn, shi
   await tab.key('v');
   assert.notEqual((await camera()).yaw, start.yaw);
   const help = await tab.ask("document.getElementById('keys').textContent");
-  for (const words of ['Press for as long as', 'Turn the body', 'Zoom in', 'Search for a place', 'Read out', 'Lift both fingers']) assert.ok(help.includes(words), words);
+  for (const words of ['Press while the key is down', 'Turn the body', 'Zoom in', 'Search for a place', 'Read out', 'Lift both fingers']) assert.ok(help.includes(words), words);
   quiet(tab);
 });
 

@@ -150,7 +150,7 @@ test('a page that comes to be hidden lifts its finger, and does not knock', { ti
 });
 
 test('a wrong token and none are told in words', { timeout: 120000 }, async () => {
-  for (const [end, words] of [['#token=wrong-0123456789abcdef', 'does not know this token'], ['', 'open it with the address']]) {
+  for (const [end, words] of [['#token=wrong-0123456789abcdef', 'does not know this token'], ['', 'open it at the address']]) {
     const tab = await browser.open(`${address}/${end}`);
     await tab.until("document.body.dataset.state === 'failed'");
     assert.match(await tab.ask("document.querySelector('#message-words').textContent"), new RegExp(words));
