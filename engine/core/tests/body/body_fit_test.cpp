@@ -244,7 +244,7 @@ TEST(BodyFit, PointsThatCannotBeAreNamed) {
   };
   std::vector<NamedPoint> points = fivePoints(scan);
   points[1].position = scan.truth.at("T9");
-  EXPECT_NE(error_of(points).find("mm from where the other points place it"), std::string::npos) << error_of(points);
+  EXPECT_NE(error_of(points).find("'T6' is 85 mm from where the other points"), std::string::npos) << error_of(points);
 
   points = fivePoints(scan);
   points[1].position += Vec3(0, 0, 300);
