@@ -1,6 +1,6 @@
 // web.force_hash: along the same path on the same STL file, native code and the page's engine feel the same, to the last
-// bit of every number; and so on the trunk that the page has from a file and native code makes. Prints one JSON object;
-// exit code 1 where they differ, 2 where something is missing.
+// bit of every number; and so on the trunk that the page has from a file and native code makes, byte by byte the same.
+// Prints one JSON object; exit code 1 where they differ, 2 where something is missing.
 //
 //   node engine/web/tests/force_hash.mjs SITE WEB_REFERENCE
 import { execFileSync } from 'node:child_process';
@@ -38,7 +38,7 @@ export async function compareWithNative(site, reference, times = 3) {
   }
 }
 
-/// The trunk under the page's two fingers: {numbers, felt_equal, skin_equal, first_difference}.
+/// The trunk under the page's two fingers: {made_equal, numbers, felt_equal, skin_equal, first_difference}.
 export async function compareTrunk(site, reference) {
   const folder = mkdtempSync(join(tmpdir(), 'palpate-web-'));
   try {
@@ -46,7 +46,8 @@ export async function compareTrunk(site, reference) {
     const { ticks_of_aim } = JSON.parse(execFileSync(reference, [folder, String(FIRST_TRIANGLES)], { encoding: 'utf8' }));
     const rows = (name) => readFileSync(join(folder, name), 'utf8').trim().split('\n').map((line) => line.split(',').map(Number));
     const engine = await engineOf(site);
-    engine.readReady(gunzipSync(readFileSync(join(site, FIRST_FILE))));
+    const ready = gunzipSync(readFileSync(join(site, FIRST_FILE)));
+    engine.readReady(ready);
     engine.openReady();
     const native = rows('felt.csv');
     let numbers = 0;
@@ -66,7 +67,8 @@ export async function compareTrunk(site, reference) {
     }
     const touched = native.filter((row) => Math.hypot(...row.slice(9, 12)) > 0.5).length;
     const skin = Buffer.from(engine.frame(true).values.buffer);
-    return { numbers, touched, felt_equal: differs === null && numbers === native.length * native[0].length, first_difference: differs,
+    return { made_equal: ready.equals(readFileSync(join(folder, 'trunk.bin'))), numbers, touched,
+             felt_equal: differs === null && numbers === native.length * native[0].length, first_difference: differs,
              skin_equal: skin.equals(readFileSync(join(folder, 'skin.f32'))) };
   } finally {
     rmSync(folder, { recursive: true });
@@ -82,5 +84,6 @@ if (process.argv[1]?.endsWith('force_hash.mjs')) {
   const compared = await compareWithNative(site, reference);
   const trunk = await compareTrunk(site, reference);
   console.log(JSON.stringify({ compared, trunk }));
-  process.exit(compared.every(({ equal }) => equal) && trunk.felt_equal && trunk.skin_equal && trunk.touched > 0 ? 0 : 1);
+  const trunk_equal = trunk.made_equal && trunk.felt_equal && trunk.skin_equal && trunk.touched > 0;
+  process.exit(compared.every(({ equal }) => equal) && trunk_equal ? 0 : 1);
 }

@@ -18,6 +18,8 @@
 #include "palpate/body/places.h"
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/files/save.h"
+#include "palpate/scene/body_parts.h"
+#include "palpate/scene/ready_body.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
 #include "web/engine/frame_packer.h"
@@ -72,11 +74,22 @@ void writeFelt(std::ostream& out, const palpate::contact::FingerOutput& felt) {
   out << static_cast<int>(felt.touch) << ',' << felt.status << '\n';
 }
 
-palpate::web::LiveBody trunk(std::size_t triangles) {
+palpate::scene::Scene sceneOfTrunk(std::size_t triangles) {
   palpate::scene::Scene scene;
   scene.body.kind = palpate::scene::BodyKind::trunk;
   scene.body.triangles = triangles;
-  return palpate::web::LiveBody(palpate::scene::build(scene));
+  return scene;
+}
+
+palpate::web::LiveBody trunk(std::size_t triangles) {
+  return palpate::web::LiveBody(palpate::scene::build(sceneOfTrunk(triangles)));
+}
+
+/// The file that the page's build makes, before gzip.
+void writeReadyTrunk(const std::filesystem::path& file, std::size_t triangles) {
+  const palpate::scene::BodySettings settings = sceneOfTrunk(triangles).body;
+  const std::string bytes = palpate::scene::encodedBody({triangles, palpate::scene::makeBody(settings, {})});
+  std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
 /// What packaging/npm/examples/press.mjs does; prints its last line.
@@ -101,6 +114,7 @@ void pressAsTheExample(std::size_t triangles) {
 }
 
 void runOnTrunk(const std::filesystem::path& folder, std::size_t triangles) {
+  writeReadyTrunk(folder / "trunk.bin", triangles);
   palpate::web::LiveBody body = trunk(triangles);
   const auto& landmarks = body.world().body->anatomy.landmarks;
   std::ofstream aims(folder / "aims.csv");
