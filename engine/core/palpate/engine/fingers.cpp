@@ -74,8 +74,9 @@ std::vector<Finger> makeRig(const scene::World& world, std::span<const contact::
   std::vector<Finger> rig;
   rig.reserve(fingers.size());
   for (std::size_t i = 0; i < fingers.size(); ++i) {
-    if (fingers[i].radius_mm == 0.0)
-      solvers[i].skin.reset();  // a point would never use it: 17 kB for each of thousands
+    if (fingers[i].radius_mm == 0.0) {
+      solvers[i].source.skin.reset();  // a point would never use it: 17 kB for each of thousands
+    }
     rig.push_back({std::move(solvers[i]), fingers[i]});
   }
   return rig;

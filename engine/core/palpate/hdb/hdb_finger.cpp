@@ -16,7 +16,7 @@
 #include <span>
 
 #include "palpate/contact/border.h"
-#include "palpate/contact/felt_force.h"
+#include "palpate/contact/finger_tick.h"
 #include "palpate/contact/half_spaces.h"
 #include "palpate/contact/surface.h"
 #include "palpate/contact/surface_walk.h"
@@ -308,13 +308,8 @@ contact::Press pressHdb(const contact::Surface& surface, const contact::FingerSe
 contact::FingerOutput stepHdb(const contact::Surface& surface, const contact::FingerSettings& settings,
                               HdbCandidates& candidates, contact::FingerState& state, const Vec3& tip,
                               const contact::LumpPlaces* lumps) noexcept {
-  if (!contact::usableTip(surface, tip)) return contact::lostOutput(state);
-  if (!state.knows_tip) state.tip = tip;
-  const contact::Press press = pressHdb(surface, settings, candidates, state, tip);
-  const double tip_moved_mm = (tip - state.tip).norm();
-  state.knows_tip = true;
-  state.tip = tip;
-  return contact::feltOutput(surface, settings, press, tip, tip_moved_mm, state, lumps);
+  return contact::tickBy(surface, settings, state, tip, lumps,
+                         [&] { return pressHdb(surface, settings, candidates, state, tip); });
 }
 
 }  // namespace palpate::hdb

@@ -1,6 +1,5 @@
-// Chooses per finger between contact::step and hdb::stepHdb: one branch that the processor always guesses right. A
-// surface that breathes stays where it is, and the tip moves against it: the field is so smooth that forces keep their
-// direction to 0.02.
+// A surface that breathes stays where it is, and the tip moves against it: the field is so smooth that forces keep
+// their direction to 0.02.
 #include "palpate/servo/finger_solver.h"
 
 #include <utility>
@@ -13,48 +12,44 @@ FingerSolvers makeSolvers(const contact::Surface& surface, const std::shared_ptr
   const bool lumps_move = surface.lumps && surface.lumps->anyMoves();
   const auto lumps = lumps_move ? std::make_shared<LumpLoop>(fingers) : nullptr;
   for (std::size_t i = 0; i < fingers; ++i) {
-    solvers[i].surface = &surface;
     solvers[i].breath = breath;
     solvers[i].lumps = lumps;
     solvers[i].finger = i;
-    if (box) solvers[i].box.emplace(box);
-    // Filled with zeros, so that no tick is the first to touch its pages.
-    if (!box && surface.planes) solvers[i].skin = std::make_unique<contact::FingerSkin>();
+    ContactSource& source = solvers[i].source;
+    source.surface = &surface;
+    if (box) {
+      source.step = ContactSource::inBox;
+      source.box.emplace(box);
+    } else if (surface.planes) {
+      // Filled with zeros, so that no tick is the first to touch its pages.
+      source.skin = std::make_unique<contact::FingerSkin>();
+    }
   }
   return solvers;
 }
 
+contact::FingerOutput ContactSource::onSkin(ContactSource& source, const contact::FingerSettings& settings,
+                                            contact::FingerState& state, const Vec3& tip,
+                                            const contact::LumpPlaces* lumps) noexcept {
+  return contact::step(*source.surface, settings, state, tip, lumps, source.skin.get());
+}
+
+contact::FingerOutput ContactSource::inBox(ContactSource& source, const contact::FingerSettings& settings,
+                                           contact::FingerState& state, const Vec3& tip,
+                                           const contact::LumpPlaces* lumps) noexcept {
+  return hdb::stepHdb(*source.surface, settings, *source.box, state, tip, lumps);
+}
+
 namespace {
 
-contact::FingerOutput touchAmongLumps(FingerSolver& solver, const contact::FingerSettings& settings,
-                                      contact::FingerState& state, const Vec3& tip,
-                                      const contact::LumpPlaces* lumps) noexcept {
-  if (solver.box) return hdb::stepHdb(*solver.surface, settings, *solver.box, state, tip, lumps);
-  return contact::step(*solver.surface, settings, state, tip, lumps, solver.skin.get());
-}
-
-contact::FingerOutput touchAtRest(FingerSolver& solver, const contact::FingerSettings& settings,
-                                  contact::FingerState& state, const Vec3& tip) noexcept {
-  if (!solver.lumps) return touchAmongLumps(solver, settings, state, tip, nullptr);
-  const contact::LumpPlaces& places =
-      solver.lumps->begin(*solver.surface->lumps, solver.finger, state.lumps, settings.tick_s);
-  const contact::FingerOutput felt = touchAmongLumps(solver, settings, state, tip, &places);
-  solver.lumps->end(solver.finger, state.lumps);
-  return felt;
-}
-
-contact::FingerOutput touchMovingSkin(FingerSolver& solver, const contact::FingerSettings& settings,
-                                      contact::FingerState& state, const Vec3& tip, std::uint64_t tick) noexcept {
-  if (!solver.breath) return touchAtRest(solver, settings, state, tip);
-  const body::BreathField& breath = *solver.breath;
-  const double lift_mm = breath.lift(static_cast<double>(tick) * settings.tick_s);
-  contact::FingerOutput felt = touchAtRest(solver, settings, state, breath.rest(tip, lift_mm));
+/// What was felt at rest, for a skin that has moved by this lift under the tip.
+void moveWithSkin(const body::BreathField& breath, double lift_mm, const Vec3& tip,
+                  contact::FingerOutput& felt) noexcept {
   const bool lost = (felt.status & contact::kTipLost) != 0;
   felt.tip = lost ? breath.moved(felt.tip, lift_mm) : tip;  // the requested tip, to the bit
   const bool free = felt.touch == contact::Touch::free;
   for (Vec3* place : {&felt.proxy, &felt.anchor, &felt.hold}) *place = free ? felt.tip : breath.moved(*place, lift_mm);
   if (felt.dent.rest_mm > 0.0) felt.dent.place = breath.moved(felt.dent.place, lift_mm);
-  return felt;
 }
 
 /// Fades the force of an exchanged surface to that surface's own, from where the last tick was.
@@ -78,9 +73,16 @@ void fadeForceChange(const contact::FingerSettings& settings, const Vec3& tip, H
 
 contact::FingerOutput touch(FingerSolver& solver, const contact::FingerSettings& settings, contact::FingerState& state,
                             const Vec3& tip, std::uint64_t tick) noexcept {
-  contact::FingerOutput felt = touchMovingSkin(solver, settings, state, tip, tick);
-  if ((felt.status & contact::kTipLost) != 0 || !solver.handover.follows) return felt;
+  ContactSource& source = solver.source;
+  const double lift_mm = solver.breath ? solver.breath->lift(static_cast<double>(tick) * settings.tick_s) : 0.0;
+  const Vec3 at_rest = solver.breath ? solver.breath->rest(tip, lift_mm) : tip;
+  const contact::LumpPlaces* lumps = nullptr;
+  if (solver.lumps) lumps = &solver.lumps->begin(*source.surface->lumps, solver.finger, state.lumps, settings.tick_s);
+  contact::FingerOutput felt = source.step(source, settings, state, at_rest, lumps);
+  if (solver.lumps) solver.lumps->end(solver.finger, state.lumps);
+  if (solver.breath) moveWithSkin(*solver.breath, lift_mm, tip, felt);
   Handover& handover = solver.handover;
+  if ((felt.status & contact::kTipLost) != 0 || !handover.follows) return felt;
   if (felt.depth_mm > 0.0) handover.secant_n_per_mm = felt.force.norm() / felt.depth_mm;
   if (handover.on) fadeForceChange(settings, tip, handover, felt);
   handover.force = felt.force;
@@ -102,12 +104,12 @@ contact::FingerOutput atRest(const body::BreathField& breath, contact::FingerOut
 
 void exchange(FingerSolver& at_work, FingerSolver& next, contact::FingerState& state) noexcept {
   // The centre of one is not the centre of the other: a sphere's, or the god object's.
-  if (at_work.box.has_value() != next.box.has_value()) state = {};
-  if (at_work.lumps && next.lumps) next.lumps->carryOver(*next.surface->lumps, *at_work.lumps, *at_work.surface->lumps);
-  std::swap(at_work.surface, next.surface);
+  if (at_work.source.step != next.source.step) state = {};
+  if (at_work.lumps && next.lumps) {
+    next.lumps->carryOver(*next.source.surface->lumps, *at_work.lumps, *at_work.source.surface->lumps);
+  }
+  std::swap(at_work.source, next.source);
   std::swap(at_work.lumps, next.lumps);
-  at_work.box.swap(next.box);
-  at_work.skin.swap(next.skin);
   std::swap(at_work.breath, next.breath);
   at_work.handover.on = true;
 }

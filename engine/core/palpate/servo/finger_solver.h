@@ -2,7 +2,7 @@
 // detecting box.
 //
 //   contact::Surface ────────────────────────► contact::step ─┐
-//   hdb::Partition ─► HdbSurface ─► box ─────► hdb::stepHdb ──┴─► touch (the tick's one line)
+//   hdb::Partition ─► HdbSurface ─► box ─────► hdb::stepHdb ──┴─► ContactSource::step ─► touch (the tick's one line)
 //   body::BreathField ─► the tip taken back to the skin at rest, what was felt taken to the skin as it is
 //   LumpLoop ─► where the lumps lie that move
 //
@@ -32,11 +32,22 @@ struct Handover {
   double secant_n_per_mm = 0.0;  ///< force over depth in the last tick that touched
 };
 
-struct FingerSolver {
-  const contact::Surface* surface = nullptr;            ///< must outlive the solver
-  std::optional<hdb::HdbCandidates> box;                ///< none: the finger walks on the whole surface
+/// How a finger looks for the skin, chosen when the world is built: the tick calls `step` and asks for no kind.
+struct ContactSource {
+  using Step = contact::FingerOutput(ContactSource&, const contact::FingerSettings&, contact::FingerState&,
+                                     const Vec3& tip, const contact::LumpPlaces*) noexcept;
+  static Step onSkin;  ///< walks on the whole surface
+  static Step inBox;   ///< sees what the box holds
+
+  Step* step = onSkin;
+  const contact::Surface* surface = nullptr;            ///< must outlive it
   std::unique_ptr<contact::FingerSkin> skin = nullptr;  ///< triangles near a sphere; null: the tree is queried
-  std::optional<body::BreathField> breath;              ///< motion of the surface; none: it does not move
+  std::optional<hdb::HdbCandidates> box = {};           ///< for inBox
+};
+
+struct FingerSolver {
+  ContactSource source;
+  std::optional<body::BreathField> breath;  ///< motion of the surface; none: it does not move
   Handover handover = {};
   std::shared_ptr<LumpLoop> lumps = nullptr;  ///< shared by the rig's fingers; null: no lump of the surface moves
   std::size_t finger = 0;                     ///< its number in the rig

@@ -33,7 +33,7 @@ void runFinger(FingerChain& finger, LoopEvent event, EmergencyStop* stop, trace:
   if (state.elsewhere) forgetTouch(finger);
   sample.contact = touch(finger.solver, finger.contact_settings, finger.contact, tip, sample.tick);
   sample.device_force =
-      limitForce(finger.limiter_settings, finger.limiter, sample.contact, finger.solver.surface->force_law);
+      limitForce(finger.limiter_settings, finger.limiter, sample.contact, finger.solver.source.surface->force_law);
   sample.safety = finger.limiter.status;
   sample.loss_n_mm = finger.limiter.passivity.loss_n_mm;
   sample.forgot = std::exchange(finger.forgot, 0u);

@@ -247,7 +247,7 @@ class Replay {
   /// A lump is at its recorded place, until what moves it is known.
   void placeLump(const trace::Sample& sample, servo::FingerChain& chain) {
     if (chain.solver.lumps && std::exchange(lumps_forgotten_, false)) {
-      chain.solver.lumps->forget(*chain.solver.surface->lumps);
+      chain.solver.lumps->forget(*chain.solver.source.surface->lumps);
     }
     const std::size_t lump = sample.contact.lump;
     if (!chain.solver.lumps || lump >= lumps_known_.size()) return;
@@ -277,7 +277,7 @@ class Replay {
     placeLump(sample, chain);
     felt.contact = servo::touch(chain.solver, chain.contact_settings, chain.contact, tip, sample.tick);
     felt.device_force =
-        servo::limitForce(chain.limiter_settings, chain.limiter, felt.contact, chain.solver.surface->force_law);
+        servo::limitForce(chain.limiter_settings, chain.limiter, felt.contact, chain.solver.source.surface->force_law);
     felt.safety = chain.limiter.status;
     felt.loss_n_mm = chain.limiter.passivity.loss_n_mm;
     return felt;

@@ -61,8 +61,8 @@ TEST(Fingers, OnlySpheresKeepTheSkinNearThem) {
   const auto world = sheet(0.5, fingersOf({0.0, 8.0}));
   ASSERT_NE(world->surface.planes, nullptr);
   const std::vector<Finger> fingers = fingersOn(*world, fingerSettings(world->scene));
-  EXPECT_EQ(fingers[0].solver.skin, nullptr);
-  EXPECT_NE(fingers[1].solver.skin, nullptr);
+  EXPECT_EQ(fingers[0].solver.source.skin, nullptr);
+  EXPECT_NE(fingers[1].solver.source.skin, nullptr);
 }
 
 TEST(Simulator, FeelsThroughTheDetectingBoxWhereTheWorldSaysSo) {

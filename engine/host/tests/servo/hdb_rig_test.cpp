@@ -165,7 +165,7 @@ TEST(FingerSolver, AnExchangeKeepsTheTouchUnlessTheFingerLooksForTheSkinInAnothe
   exchange(at_work[0], box[0], state);
   EXPECT_FALSE(state.touching);
   EXPECT_FALSE(state.knows_tip);
-  EXPECT_FALSE(box[0].box.has_value()) << "the one that was at work is given back";
+  EXPECT_FALSE(box[0].source.box.has_value()) << "the one that was at work is given back";
   touch(at_work[0], {}, state, above);
   EXPECT_GT(touch(at_work[0], {}, state, below).depth_mm, 0.0) << "felt through the box";
 }

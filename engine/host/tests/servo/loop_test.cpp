@@ -231,11 +231,11 @@ TEST(PacedLoop, LetsTheServoThreadExchangeItsSurfaceBetweenTicks) {
   PacedSettings settings = quick();
   std::uint64_t calls = 0;
   settings.before_tick = [&](Rig& ours) {
-    if (++calls == 50) ours.fingers[0].solver.surface = &other;
+    if (++calls == 50) ours.fingers[0].solver.source.surface = &other;
   };
   const LoopReport report = runPaced(rig, 100, settings, links);
   EXPECT_EQ(calls, report.ticks);
-  EXPECT_EQ(rig.fingers[0].solver.surface, calls >= 50 ? &other : &surface);
+  EXPECT_EQ(rig.fingers[0].solver.source.surface, calls >= 50 ? &other : &surface);
 }
 
 TEST(PacedLoop, PublishesItsVitalsEveryThousandTicks) {
