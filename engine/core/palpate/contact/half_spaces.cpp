@@ -17,8 +17,6 @@ namespace {
 /// Squared sine of the angle below which two planes count as parallel.
 constexpr double kParallel = 1e-20;
 
-double excess(const HalfSpace& plane, const Vec3& x) { return plane.normal.dot(x) - plane.offset; }
-
 /// On the line where planes i and j meet, under the planes before j.
 bool nearestOnLine(const HalfSpaces& planes, int i, int j, const Vec3& target, double slack, Vec3& nearest) {
   const Vec3 along = planes[i].normal.cross(planes[j].normal);
@@ -26,15 +24,15 @@ bool nearestOnLine(const HalfSpaces& planes, int i, int j, const Vec3& target, d
   if (sine2 < kParallel) return true;  // plane j says nothing that plane i does not say more strictly
   // From the target: along plane i's normal and along the part of plane j's normal that lies in plane i.
   const double cosine = planes[i].normal.dot(planes[j].normal);
-  const double miss_i = -excess(planes[i], target);
-  const double miss_j = -excess(planes[j], target);
+  const double miss_i = -planes[i].excess(target);
+  const double miss_j = -planes[j].excess(target);
   const Vec3 base = target + ((miss_i - cosine * miss_j) / sine2) * planes[i].normal +
                     ((miss_j - cosine * miss_i) / sine2) * planes[j].normal;
   double low = -std::numeric_limits<double>::infinity();
   double high = -low;
   for (int k = 0; k < j; ++k) {
     const double rate = planes[k].normal.dot(along);
-    const double room = excess(planes[k], base);
+    const double room = planes[k].excess(base);
     if (rate * rate < kParallel * sine2) {
       if (room < -slack) return false;
     } else if (rate > 0.0) {
@@ -50,9 +48,9 @@ bool nearestOnLine(const HalfSpaces& planes, int i, int j, const Vec3& target, d
 
 /// On plane i, under the planes before it.
 bool nearestOnPlane(const HalfSpaces& planes, int i, const Vec3& target, double slack, Vec3& nearest) {
-  nearest = target - excess(planes[i], target) * planes[i].normal;
+  nearest = target - planes[i].excess(target) * planes[i].normal;
   for (int j = 0; j < i; ++j) {
-    if (excess(planes[j], nearest) >= -slack) continue;
+    if (planes[j].excess(nearest) >= -slack) continue;
     if (!nearestOnLine(planes, i, j, target, slack, nearest)) return false;
   }
   return true;
@@ -63,7 +61,7 @@ bool nearestOnPlane(const HalfSpaces& planes, int i, const Vec3& target, double 
 bool nearestInside(const HalfSpaces& planes, const Vec3& target, double slack, Vec3& nearest) noexcept {
   Vec3 best = target;
   for (int i = 0; i < planes.size(); ++i) {
-    if (excess(planes[i], best) >= -slack) continue;
+    if (planes[i].excess(best) >= -slack) continue;
     if (!nearestOnPlane(planes, i, target, slack, best)) return false;
   }
   nearest = best;

@@ -11,6 +11,7 @@ namespace palpate::contact {
 struct HalfSpace {
   Vec3 normal;
   double offset;
+  double excess(const Vec3& x) const { return normal.dot(x) - offset; }
 };
 
 /// A set of bounded size: beyond kMost the newest is refused, which costs a round and not safety (the centre is always

@@ -376,25 +376,10 @@ bool visitedBefore(const NearbySkin& skin, const tree::PointQuery& query, Index 
 tree::Crossing firstCrossing(const Surface& surface, const NearbySkin* skin, const Vec3& from,
                              const Vec3& to) noexcept {
   constexpr double kRounding = 1.0 + 1e-9;
-  SkinList list;
-  if (listNearer(skin, to, kRounding * (to - from).norm(), list)) return firstCrossingAmong(surface, list, from, to);
-  return tree::firstFrontCrossing(surface.geometry->tree, from, to);
-}
-
-tree::Crossing firstCrossingAmong(const Surface& surface, const SkinList& list, const Vec3& from,
-                                  const Vec3& to) noexcept {
   const tree::TriangleTree& tree = surface.geometry->tree;
-  tree::Crossing first;
-  for (int i = 0; i < list.count; ++i) {
-    const Index t = list.records[static_cast<std::size_t>(i)];
-    tree::Crossing crossing;
-    if (!tree::detail::crossingOf(tree.records[t], from, to, crossing)) continue;
-    crossing.triangle = t;
-    const bool earlier = first.triangle == kNoIndex || crossing.fraction < first.fraction ||
-                         (crossing.fraction == first.fraction && t < first.triangle);
-    if (earlier) first = crossing;
-  }
-  return first;
+  SkinList list;
+  const bool is_known = listNearer(skin, to, kRounding * (to - from).norm(), list);
+  return is_known ? firstFrontCrossingAmong(tree, list.all(), from, to) : firstFrontCrossing(tree, from, to);
 }
 
 }  // namespace palpate::contact

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "palpate/base/aligned.h"
 #include "palpate/contact/surface.h"
@@ -114,6 +115,7 @@ struct SkinList {
   static constexpr int kMax = 64;
   std::array<Index, kMax> records;
   int count = 0;
+  std::span<const Index> all() const { return std::span(records).first(static_cast<std::size_t>(count)); }
 };
 
 /// Lists every triangle nearer to the point than `reach`, and perhaps a few more. False when the answer is not known
@@ -123,10 +125,6 @@ bool listNearer(const NearbySkin* skin, const Vec3& point, double reach, SkinLis
 /// Whether a search for minima round the query's point (tree::visitNearMinima) comes to the record `one` before
 /// `other`.
 bool visitedBefore(const NearbySkin& skin, const tree::PointQuery& query, Index one, Index other) noexcept;
-
-/// Searches the listed triangles alone.
-tree::Crossing firstCrossingAmong(const Surface& surface, const SkinList& list, const Vec3& from,
-                                  const Vec3& to) noexcept;
 
 /// tree::firstFrontCrossing. `skin` may be null.
 tree::Crossing firstCrossing(const Surface& surface, const NearbySkin* skin, const Vec3& from, const Vec3& to) noexcept;

@@ -151,7 +151,8 @@ bool fitsByFreeWay(const SphereTask& task, const Vec3& from, const Vec3& to) {
   SkinList list;
   if ((to - from).squaredNorm() < height * height && listNearer(task.nearby, to, height, list)) {
     return !hasLowerFootAmong(task.surface, list, to, height) &&
-           (list.count == 0 || firstCrossingAmong(task.surface, list, from, to).triangle == kNoIndex);
+           (list.count == 0 ||
+            firstFrontCrossingAmong(task.surface.geometry->tree, list.all(), from, to).triangle == kNoIndex);
   }
   return !hasLowerFoot(task.surface, to, height, task.nearby) && isFreeWay(task, from, to);
 }

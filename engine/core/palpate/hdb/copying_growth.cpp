@@ -9,6 +9,7 @@
 // Based on: Ji, dissertation 2008, 3.3.2; Sutherland, Hodgman, "Reentrant polygon clipping" (1974) for the cut.
 #include "palpate/hdb/copying_growth.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -146,10 +147,7 @@ class CopyingGrowth {
   using Halves = std::array<std::vector<Part>, 2>;
 
   static bool allSame(const std::vector<Part>& parts) {
-    for (const Part& part : parts) {
-      if (!part.sameAs(parts.front())) return false;
-    }
-    return true;
+    return std::ranges::all_of(parts, [&](const Part& part) { return part.sameAs(parts.front()); });
   }
 
   void fillLeaf(Index node, const std::vector<Part>& parts, double share) {
@@ -165,7 +163,6 @@ class CopyingGrowth {
   }
 
   Children divide(Index node, const std::vector<Part>& parts) const {
-    const Vec3 at = splitPoint(growth_.cells[node]);
     Children children;
     const auto append = [&](std::vector<Part>&& part, int slot) {
       if (part.empty()) return;
@@ -173,19 +170,7 @@ class CopyingGrowth {
       children.parts.push_back(std::move(part));
       children.slots.push_back(static_cast<std::uint8_t>(slot));
     };
-    if (growth_.tree == TreeKind::Bsp) {
-      Halves halves = halve(parts, splitAxis(growth_.nodes[node].level), at);
-      for (int x = 0; x < 2; ++x) append(std::move(halves[x]), x);
-      return children;
-    }
-    const Halves by_z = halve(parts, 2, at);
-    for (int z = 0; z < 2; ++z) {
-      const Halves by_y = halve(by_z[z], 1, at);
-      for (int y = 0; y < 2; ++y) {
-        Halves by_x = halve(by_y[y], 0, at);
-        for (int x = 0; x < 2; ++x) append(std::move(by_x[x]), x + 2 * y + 4 * z);
-      }
-    }
+    divideAmongChildren(growth_, node, parts, halve, append);
     return children;
   }
 

@@ -15,13 +15,6 @@ namespace {
 
 constexpr double kHdbShare = 0.25;  // "in 1/4 size of the AABB of the model", 3.3.3
 
-// No branches between the six comparisons: near the border of the box each is a coin toss.
-bool meets(const Box3& a, const Box3& b) {
-  const Vec3 &a_low = a.min(), &a_high = a.max(), &b_low = b.min(), &b_high = b.max();
-  return bool((a_low[0] <= b_high[0]) & (a_low[1] <= b_high[1]) & (a_low[2] <= b_high[2]) & (b_low[0] <= a_high[0]) &
-              (b_low[1] <= a_high[1]) & (b_low[2] <= a_high[2]));
-}
-
 bool holds(const Box3& outer, const Box3& inner) {
   const Vec3 &o_low = outer.min(), &o_high = outer.max(), &i_low = inner.min(), &i_high = inner.max();
   return bool((o_low[0] <= i_low[0]) & (o_low[1] <= i_low[1]) & (o_low[2] <= i_low[2]) & (i_high[0] <= o_high[0]) &

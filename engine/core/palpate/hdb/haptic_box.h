@@ -31,6 +31,14 @@ Vec3 hdbEdges(const Box3& model, HdbSize size = HdbSize::QuarterOfLongestEdge);
 inline Box3 hapticBox(const Vec3& proxy, const Vec3& edges) { return {proxy - 0.5 * edges, proxy + 0.5 * edges}; }
 inline Box3 hapticBox(const Vec3& proxy, double edge_mm) { return hapticBox(proxy, Vec3::Constant(edge_mm)); }
 
+/// Whether two boxes have a point in common. No branches between the six comparisons: near the border of a box each is
+/// a coin toss.
+inline bool meets(const Box3& a, const Box3& b) {
+  const Vec3 &a_low = a.min(), &a_high = a.max(), &b_low = b.min(), &b_high = b.max();
+  return bool((a_low[0] <= b_high[0]) & (a_low[1] <= b_high[1]) & (a_low[2] <= b_high[2]) & (b_low[0] <= a_high[0]) &
+              (b_low[1] <= a_high[1]) & (b_low[2] <= a_high[2]));
+}
+
 /// The edge that follows from how fast the box can be, in place of the quarter (E12): the finger moves `speed` mm/s for
 /// `delay_s` before the box follows, and its proxy is up to `margin_mm` from the tip. With the depth for the margin
 /// none of the strokes of `palpate study hdb` got through; that is measured, not proved (twice the depth follows from

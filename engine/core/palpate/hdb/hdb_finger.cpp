@@ -26,23 +26,6 @@ namespace palpate::hdb {
 
 namespace {
 
-// A point that follows the tip but never passes the front of a triangle: the god object over a loose list of triangles.
-//
-// It knows no neighbours: every move is tested against every listed triangle, as a toolkit must that is handed
-// triangles without their neighbours. hdb_finger.h uses it where a walk over the skin (contact/surface_walk.h) ends.
-//
-// In each round the object heads for the target; what blocks the way becomes a plane, and the new goal is the point of
-// the planes' half-spaces nearest to the target (of any number of planes at most three decide). A way that is free is
-// gone, and the planes are forgotten: the next round finds those that matter there. It rests where the goal is where it
-// is already.
-//
-// Planes go on for ever and triangles do not, so at a corner where some neighbours rise and others fall the half-spaces
-// may leave nothing although there is a way. There the object also tries the planes of the triangles that it touches
-// one by one and in pairs; every try is tested like any other way.
-//
-// Based on: Zilles and Salisbury, "A constraint-based god-object method for haptic display" (1995); Ruspini, Kolarov
-// and Khatib, "The haptic display of complex graphical environments" (1997).
-
 /// Result of a god object's tick.
 enum class Arrival : std::uint8_t {
   reached,   ///< it is at the target: nothing is between them
@@ -67,29 +50,28 @@ constexpr int kMaxTouched = 12;
 /// In standoffs: anything nearer counts as touched, and a shorter move does not count.
 constexpr double kTouching = 4.0;
 
-/// Where the segment first passes a listed triangle from front to back (exactly), or triangle kNoIndex.
-tree::Crossing firstFrontCrossing(const contact::Surface& surface, std::span<const Index> triangles, const Vec3& from,
-                                  const Vec3& to) noexcept {
-  tree::Crossing first;
-  for (const Index t : triangles) {
-    tree::Crossing crossing;
-    if (!tree::detail::crossingOf(surface.geometry->tree.records[t], from, to, crossing)) continue;
-    crossing.triangle = t;
-    const bool earlier = first.triangle == kNoIndex || crossing.fraction < first.fraction ||
-                         (crossing.fraction == first.fraction && t < first.triangle);
-    if (earlier) first = crossing;
-  }
-  return first;
-}
-
 contact::HalfSpace offsetFacePlane(const TriangleRecord& record, double standoff_mm) {
   const Vec3 normal = contact::faceNormal(record);
   return {normal, normal.dot(record.corners[0]) + standoff_mm};
 }
 
-double excess(const contact::HalfSpace& plane, const Vec3& x) { return plane.normal.dot(x) - plane.offset; }
-
-/// The mover of one tick.
+/// A point that follows the tip but never passes the front of a triangle: the god object over a loose list of
+/// triangles.
+///
+/// It knows no neighbours: every move is tested against every listed triangle, as a toolkit must that is handed
+/// triangles without their neighbours. A tick uses it where a walk over the skin (contact/surface_walk.h) ends.
+///
+/// In each round the object heads for the target; what blocks the way becomes a plane, and the new goal is the point of
+/// the planes' half-spaces nearest to the target (of any number of planes at most three decide). A way that is free is
+/// gone, and the planes are forgotten: the next round finds those that matter there. It rests where the goal is where
+/// it is already.
+///
+/// Planes go on for ever and triangles do not, so at a corner where some neighbours rise and others fall the
+/// half-spaces may leave nothing although there is a way. There the object also tries the planes of the triangles that
+/// it touches one by one and in pairs; every try is tested like any other way.
+///
+/// Based on: Zilles and Salisbury, "A constraint-based god-object method for haptic display" (1995); Ruspini, Kolarov
+/// and Khatib, "The haptic display of complex graphical environments" (1997).
 struct Mover {
   const contact::Surface& surface;
   std::span<const Index> triangles;
@@ -99,6 +81,9 @@ struct Mover {
   double standoff_mm;
 
   const TriangleRecord& record(Index t) const { return surface.geometry->tree.records[t]; }
+  Crossing firstOnWayTo(const Vec3& end) const {
+    return firstFrontCrossingAmong(surface.geometry->tree, triangles, place, end);
+  }
   double toTarget(const Vec3& point) const { return (point - target).norm(); }
 
   /// `goal`, or as far towards it as the path reaches.
@@ -115,11 +100,11 @@ struct Mover {
 
   /// Goes as far on the way to `end` as this plane's standoff lets it. False when it is there already.
   bool approach(const contact::HalfSpace& plane, const Vec3& end) {
-    const double room = excess(plane, place);
+    const double room = plane.excess(place);
     if (room <= 0.5 * standoff_mm) return false;
-    const double share = room / (room - excess(plane, end));
+    const double share = room / (room - plane.excess(end));
     const Vec3 stop = place + share * (end - place);
-    if (firstFrontCrossing(surface, triangles, place, stop).triangle != kNoIndex) return false;
+    if (firstOnWayTo(stop).triangle != kNoIndex) return false;
     go(stop);
     return true;
   }
@@ -136,7 +121,7 @@ Mover::Round Mover::slide(int& planes_met) {
   Vec3 goal = target;
   for (planes_met = 0; planes_met < kMaxPlanes; ++planes_met) {
     const Vec3 end = endTowards(goal);
-    const tree::Crossing hit = firstFrontCrossing(surface, triangles, place, end);
+    const Crossing hit = firstOnWayTo(end);
     if (hit.triangle == kNoIndex) {
       go(end);
       return end == target ? Round::there : Round::moved;
@@ -174,7 +159,7 @@ bool Mover::moveAroundCorner() {
       if (!contact::nearestInside(planes, target, 1e-3 * standoff_mm, goal)) continue;
       if (toTarget(goal) + reach >= toTarget(best)) continue;
       const Vec3 end = endTowards(goal);
-      if (firstFrontCrossing(surface, triangles, place, end).triangle == kNoIndex) best = end;
+      if (firstOnWayTo(end).triangle == kNoIndex) best = end;
     }
   }
   if (best == place) return false;
@@ -188,7 +173,7 @@ bool isInFront(const contact::Surface& surface, std::span<const Index> triangles
   return std::none_of(triangles.begin(), triangles.end(), [&](Index t) {
     const TriangleRecord& record = surface.geometry->tree.records[t];
     if (tree::closestOnTriangle(record.corners, place).squared_distance > reach * reach) return false;
-    return excess(offsetFacePlane(record, 0.0), place) <= 0.0;
+    return offsetFacePlane(record, 0.0).excess(place) <= 0.0;
   });
 }
 
@@ -214,7 +199,7 @@ constexpr double kOnSkin = 64.0;
 bool enters(const contact::Surface& surface, HdbCandidates& candidates, const Vec3& tip, contact::FingerState& state) {
   const Vec3 from = state.tip;
   const auto& near = candidates.near(Box3(from.cwiseMin(tip), from.cwiseMax(tip)));
-  const tree::Crossing entry = firstFrontCrossing(surface, near, from, tip);
+  const Crossing entry = firstFrontCrossingAmong(surface.geometry->tree, near, from, tip);
   if (entry.triangle == kNoIndex) return false;
   state.touching = true;
   state.slipping = false;

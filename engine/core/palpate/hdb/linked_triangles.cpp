@@ -22,12 +22,6 @@ static_assert(kBlockEntries <= 16, "a block's marks are the bits of a uint16_t")
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool meet(const Box3& a, const Box3& b) {
-  const Vec3 &a_low = a.min(), &a_high = a.max(), &b_low = b.min(), &b_high = b.max();
-  return bool((a_low[0] <= b_high[0]) & (a_low[1] <= b_high[1]) & (a_low[2] <= b_high[2]) & (b_low[0] <= a_high[0]) &
-              (b_low[1] <= a_high[1]) & (b_low[2] <= a_high[2]));
-}
-
 /// The places that the lower (or the upper) faces of a box have passed, axis by axis; nothing where they stayed.
 Box3 passed(const Vec3& from, const Vec3& to) {
   Box3 slabs(from.cwiseMin(to), from.cwiseMax(to));
@@ -78,13 +72,14 @@ struct Move {
 
   bool mayChange(const Box3& tight) {
     ++list.boxes_moved;
-    return (meet(tight, from) | meet(tight, to)) && (reachesInto(tight, lower_faces) | reachesInto(tight, upper_faces));
+    return (meets(tight, from) | meets(tight, to)) &&
+           (reachesInto(tight, lower_faces) | reachesInto(tight, upper_faces));
   }
 
   void mark(Index index, const Node& node) {
     std::uint16_t marks = 0;
     for (Index i = 0; i < node.entry_count; ++i) {
-      const bool in_box = meet(partition.boxes[node.first_entry + i], to);
+      const bool in_box = meets(partition.boxes[node.first_entry + i], to);
       marks = static_cast<std::uint16_t>(marks | (std::uint16_t{in_box} << i));
     }
     list.boxes_moved += node.entry_count;
@@ -128,7 +123,7 @@ void appendFrom(LinkedTriangles& list, const Partition& partition, Index index, 
                 std::vector<Index>& entries) {
   const Node& node = partition.nodes[index];
   ++list.boxes_found;
-  if (!meet(node.tight, near)) return;
+  if (!meets(node.tight, near)) return;
   for (Index child = node.first_child; child < node.first_child + node.child_count; ++child) {
     appendFrom(list, partition, child, near, entries);
   }
@@ -136,7 +131,7 @@ void appendFrom(LinkedTriangles& list, const Partition& partition, Index index, 
   for (unsigned marks = list.marks[index]; marks != 0; marks &= marks - 1) {
     const Index entry = node.first_entry + static_cast<Index>(std::countr_zero(marks));
     ++list.boxes_found;
-    if (meet(partition.boxes[entry], near)) entries.push_back(entry);
+    if (meets(partition.boxes[entry], near)) entries.push_back(entry);
   }
 }
 

@@ -4,6 +4,7 @@
 // Based on: Ji, dissertation 2008, 3.4 to the letter (E6).
 #include "palpate/hdb/literal_octree.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -46,10 +47,7 @@ class LiteralGrowth {
   /// As in the majority rule: no plane separates coincident triangles (E7).
   bool allEqual(const std::vector<Traveller>& travellers) const {
     const Vec3 first = middlePoint(mesh_, travellers.front().triangle);
-    for (const Traveller& traveller : travellers) {
-      if (middlePoint(mesh_, traveller.triangle) != first) return false;
-    }
-    return true;
+    return std::ranges::all_of(travellers, [&](const Traveller& t) { return middlePoint(mesh_, t.triangle) == first; });
   }
 
   Piece cornersOf(Index triangle) const {

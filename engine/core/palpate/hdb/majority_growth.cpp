@@ -48,34 +48,20 @@ class MajorityGrowth {
  private:
   /// No plane separates coincident triangles (E7). Ends at the first difference, as a rule the second item.
   bool allEqual(const Range& range) const {
-    for (std::size_t i = range.begin + 1; i < range.end; ++i) {
-      if (items_[i].point != items_[range.begin].point) return false;
-    }
-    return true;
+    const std::span<const Item> items(items_.data() + range.begin, range.size());
+    return std::ranges::all_of(items, [&](const Item& item) { return item.point == items.front().point; });
   }
 
   /// The parts that are not empty, with their slots.
   std::vector<Range> divide(Index node, const Range& range, std::vector<std::uint8_t>& slots) {
-    const Vec3 at = splitPoint(growth_.cells[node]);
     std::vector<Range> parts;
     const auto append = [&](const Range& part, int slot) {
       if (part.size() == 0) return;
       parts.push_back(part);
       slots.push_back(static_cast<std::uint8_t>(slot));
     };
-    if (growth_.tree == TreeKind::Bsp) {
-      const auto halves = halve(range, splitAxis(growth_.nodes[node].level), at);
-      for (int x = 0; x < 2; ++x) append(halves[x], x);
-      return parts;
-    }
-    const auto by_z = halve(range, 2, at);
-    for (int z = 0; z < 2; ++z) {
-      const auto by_y = halve(by_z[z], 1, at);
-      for (int y = 0; y < 2; ++y) {
-        const auto by_x = halve(by_y[y], 0, at);
-        for (int x = 0; x < 2; ++x) append(by_x[x], x + 2 * y + 4 * z);
-      }
-    }
+    const auto halves = [this](const Range& whole, int axis, const Vec3& at) { return halve(whole, axis, at); };
+    divideAmongChildren(growth_, node, range, halves, append);
     return parts;
   }
 

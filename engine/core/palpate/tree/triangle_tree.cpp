@@ -94,6 +94,12 @@ bool crossingOf(const TriangleRecord& record, const Vec3& from, const Vec3& to, 
   return true;
 }
 
+void keepEarlier(const Crossing& crossing, Crossing& first) noexcept {
+  const bool earlier = first.triangle == kNoIndex || crossing.fraction < first.fraction ||
+                       (crossing.fraction == first.fraction && crossing.triangle < first.triangle);
+  if (earlier) first = crossing;
+}
+
 }  // namespace detail
 
 NearestPoint nearestPoint(const TriangleTree& tree, const Vec3& point, double max_distance) noexcept {
@@ -102,6 +108,18 @@ NearestPoint nearestPoint(const TriangleTree& tree, const Vec3& point, double ma
 
 Crossing firstFrontCrossing(const TriangleTree& tree, const Vec3& from, const Vec3& to) noexcept {
   return firstFrontCrossingIf(tree, from, to, [](Index) { return true; });
+}
+
+Crossing firstFrontCrossingAmong(const TriangleTree& tree, std::span<const Index> records, const Vec3& from,
+                                 const Vec3& to) noexcept {
+  Crossing first;
+  for (const Index t : records) {
+    Crossing crossing;
+    if (!detail::crossingOf(tree.records[t], from, to, crossing)) continue;
+    crossing.triangle = t;
+    detail::keepEarlier(crossing, first);
+  }
+  return first;
 }
 
 }  // namespace palpate::tree

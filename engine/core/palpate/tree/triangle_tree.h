@@ -10,6 +10,7 @@
 
 #include <array>
 #include <bit>
+#include <span>
 #include <vector>
 
 #include "palpate/base/aligned.h"
@@ -98,6 +99,10 @@ NearestPoint nearestPoint(const TriangleTree& tree, const Vec3& point, double ma
 /// kNoIndex.
 Crossing firstFrontCrossing(const TriangleTree& tree, const Vec3& from, const Vec3& to) noexcept;
 
+/// The same of these records alone.
+Crossing firstFrontCrossingAmong(const TriangleTree& tree, std::span<const Index> records, const Vec3& from,
+                                 const Vec3& to) noexcept;
+
 // ------------------------------------------------------------------------------------------------------------------
 // The same queries with the caller's own test, for those who need one (contact). Templates, so that it is inlined.
 
@@ -120,6 +125,9 @@ int pushNearestLast(const WideNode& node, const float* bounds, float limit, Pend
 
 /// True for a crossing, with its fraction and place.
 bool crossingOf(const TriangleRecord& record, const Vec3& from, const Vec3& to, Crossing& crossing) noexcept;
+
+/// Keeps the earlier of two crossings, or that of the lower record.
+void keepEarlier(const Crossing& crossing, Crossing& first) noexcept;
 
 }  // namespace detail
 
@@ -229,9 +237,7 @@ Crossing firstFrontCrossingIf(const TriangleTree& tree, const Vec3& from, const 
     Crossing crossing;
     if (!detail::crossingOf(tree.records[t], from, to, crossing) || !accept(t)) return;
     crossing.triangle = t;
-    const bool earlier = first.triangle == kNoIndex || crossing.fraction < first.fraction ||
-                         (crossing.fraction == first.fraction && t < first.triangle);
-    if (earlier) first = crossing;
+    detail::keepEarlier(crossing, first);
   });
   return first;
 }

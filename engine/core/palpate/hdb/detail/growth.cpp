@@ -72,17 +72,14 @@ void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t e
   growth.work_done.add(kGrowthShare * share);
 }
 
-// ---- blocks ---------------------------------------------------------------------------------------------------------
-//
-// Below each leaf its entries are divided further, by the middle of their widest extent, until a few neighbours are
-// left. They are not part of the dissertation's tree; they keep the exact query from testing every triangle of a large
-// leaf, whatever the threshold is.
-
 namespace {
 
 /// Below this many divisions items are halved by number, so that nothing nests deeper than this and 32 more.
 constexpr int kDivisionsBySpace = 32;
 
+/// Below each leaf its entries are divided further, by the middle of their widest extent, until a few neighbours are
+/// left. They are not part of the dissertation's tree; they keep the exact query from testing every triangle of a large
+/// leaf, whatever the threshold is.
 class BlockBuilder {
  public:
   explicit BlockBuilder(Growth& growth) : growth_(growth), items_(growth.items) {}

@@ -68,6 +68,22 @@ Box3 childCell(TreeKind tree, const Box3& cell, int level, int slot);
 /// Adds the children in these slots behind the last node and links them. Returns the first.
 Index addChildren(Growth& growth, Index node, const std::vector<std::uint8_t>& slots);
 
+/// Divides what a node holds among its children: `halve(whole, axis, at)` gives its two sides, `take(part, slot)` gets
+/// each child's.
+template <class Whole, class Halve, class Take>
+void divideAmongChildren(const Growth& growth, Index node, const Whole& whole, const Halve& halve, const Take& take) {
+  const Vec3 at = splitPoint(growth.cells[node]);
+  const auto take_both = [&](auto halves, int first_slot) {
+    for (int side = 0; side < 2; ++side) take(std::move(halves[side]), first_slot + side);
+  };
+  if (growth.tree == TreeKind::Bsp) return take_both(halve(whole, splitAxis(growth.nodes[node].level), at), 0);
+  const auto by_z = halve(whole, 2, at);
+  for (int z = 0; z < 2; ++z) {
+    const auto by_y = halve(by_z[z], 1, at);
+    for (int y = 0; y < 2; ++y) take_both(halve(by_y[y], 0, at), 2 * y + 4 * z);
+  }
+}
+
 /// `share` is the part of the mesh that the node holds, for the progress: all leaves together have 1.
 void makeLeaf(Growth& growth, Index node, std::size_t first_entry, std::size_t entry_count, double share);
 
