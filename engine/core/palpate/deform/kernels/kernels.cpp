@@ -218,22 +218,30 @@ std::uint64_t strainedVertices(std::span<const ContactLanes> contacts, const Edg
   return strained & of;
 }
 
+/// Where the height over the contact's plane matters (not kLevel) its slope along the normal joins the gradient.
 /// kAllInside: the vertices are known to lie in this part's ellipse.
-template <bool kAllInside>
-HWY_INLINE Profile profileOf(const PartLanes& part, const V3& offset, M region) {
+template <bool kLevel, bool kAllInside>
+HWY_INLINE Profile profileOf(const ContactLanes& contact, const PartLanes& part, const V3& offset, M region) {
   const Lanes d;
   const Location at = locate(part, offset);
-  const V gauss = gaussian(at.q2);
+  const V3 facing = broadcast(contact.facing);
+  const V height = kLevel ? hn::Zero(d) : dot(facing, offset);
+  const V rise = kLevel ? hn::Zero(d) : riseAt(part, hn::Abs(height));
+  const V q2 = kLevel ? at.q2 : mulAdd(rise, rise, at.q2);
+  const V gauss = gaussian(q2);
   constexpr double kSlope = -2.0 * kGaussianRate * tissue::kProfileScale;
   V weight = profileScaled(gauss);
   V slope = hn::Mul(hn::Set(d, static_cast<float>(kSlope)), gauss);
   if constexpr (!kAllInside) {
-    const M acts = hn::And(region, hn::Lt(at.q2, hn::Set(d, 1.0f)));
+    const M acts = hn::And(region, hn::Lt(q2, hn::Set(d, 1.0f)));
     weight = hn::IfThenElseZero(acts, weight);
     slope = hn::IfThenElseZero(acts, slope);
   }
   const V3 across = scaled(hn::Mul(slope, at.t), broadcast(part.across));
-  return {weight, mulAdd(hn::Mul(slope, at.s), broadcast(part.along), across)};
+  const V3 flat = mulAdd(hn::Mul(slope, at.s), broadcast(part.along), across);
+  if constexpr (kLevel) return {weight, flat};
+  const V up = hn::CopySign(hn::Mul(rise, hn::Set(d, part.slope)), height);
+  return {weight, mulAdd(hn::Mul(slope, up), facing, flat)};
 }
 
 /// One contact: cof(F) n written out. The press a = amplitude times the contact's normal is orthogonal to both
@@ -243,7 +251,7 @@ template <bool kDrags, bool kWhole>
 HWY_INLINE void moveByOne(const ContactLanes& contact, const V3& position, M region, V3& displacement, V3& normal) {
   const V3 offset = sub(position, broadcast(contact.anchor));
   const V3 a = broadcast(contact.normal.shift);
-  const Profile press = profileOf < kWhole && !kDrags > (contact.normal, offset, region);
+  const Profile press = profileOf<true, (kWhole && !kDrags)>(contact, contact.normal, offset, region);
   const V a_n = dot(a, normal);
   const V3 pressed = mulSub(a_n, press.gradient, normal);
   displacement = scaled(press.weight, a);
@@ -253,41 +261,18 @@ HWY_INLINE void moveByOne(const ContactLanes& contact, const V3& position, M reg
   }
   const Lanes d;
   const V3 b = broadcast(contact.tangential.shift);
-  const Profile drag = profileOf<false>(contact.tangential, offset, region);
+  const Profile drag = profileOf<true, false>(contact, contact.tangential, offset, region);
   const V stretch = hn::Add(dot(b, drag.gradient), hn::Set(d, 1.0f));
   const V tilt = mulSub(a_n, dot(b, press.gradient), dot(b, normal));
   displacement = mulAdd(drag.weight, b, displacement);
   normal = mulSub(tilt, drag.gradient, scaled(stretch, pressed));
 }
 
-/// profileOf where the height over the contact's plane matters; its slope along the normal joins the gradient.
-HWY_INLINE Profile evaluateRisingProfile(const PartLanes& part, const V3& facing, const V3& offset, M region) {
-  const Lanes d;
-  const V height = dot(facing, offset);
-  const V rise = riseAt(part, hn::Abs(height));
-  const Location at = locate(part, offset);
-  const V q2 = mulAdd(rise, rise, at.q2);
-  const M acts = hn::And(region, hn::Lt(q2, hn::Set(d, 1.0f)));
-  const V gauss = gaussian(q2);
-  const V weight = profileScaled(gauss);
-  constexpr double kSlope = -2.0 * kGaussianRate * tissue::kProfileScale;
-  const V slope = hn::IfThenElseZero(acts, hn::Mul(hn::Set(d, static_cast<float>(kSlope)), gauss));
-  const V up = hn::CopySign(hn::Mul(rise, hn::Set(d, part.slope)), height);
-  const V3 across = scaled(hn::Mul(slope, at.t), broadcast(part.across));
-  const V3 flat = mulAdd(hn::Mul(slope, at.s), broadcast(part.along), across);
-  return {hn::IfThenElseZero(acts, weight), mulAdd(hn::Mul(slope, up), facing, flat)};
-}
-
 template <bool kLevel>
 HWY_INLINE void addPart(const ContactLanes& contact, const PartLanes& part, const V3& offset, M region,
                         Motion& motion) {
   if (part.outside != 0.0f) return;  // does not act
-  Profile profile;
-  if constexpr (kLevel) {
-    profile = profileOf<false>(part, offset, region);
-  } else {
-    profile = evaluateRisingProfile(part, broadcast(contact.facing), offset, region);
-  }
+  const Profile profile = profileOf<kLevel, false>(contact, part, offset, region);
   const V3 shift = broadcast(part.shift);
   motion.displacement = mulAdd(profile.weight, shift, motion.displacement);
   motion.row_x = mulAdd(shift.x, profile.gradient, motion.row_x);
@@ -298,21 +283,6 @@ HWY_INLINE void addPart(const ContactLanes& contact, const PartLanes& part, cons
 template <bool kLevel>
 HWY_INLINE void moveByMany(std::span<const ContactOnBlock> contacts, const V3& position, size_t lane, V3& displacement,
                            V3& normal) {
-  Motion motion = noMotion();
-  for (const ContactOnBlock& on : contacts) {
-    const M region = maskAt(on.region, lane);
-    const V3 offset = sub(position, broadcast(on.mover->anchor));
-    addPart<kLevel>(*on.mover, on.mover->normal, offset, region, motion);
-    addPart<kLevel>(*on.mover, on.mover->tangential, offset, region, motion);
-  }
-  displacement = motion.displacement;
-  turn(motion, normal);
-}
-
-/// Any number of contacts, some of which have layered tissue.
-template <bool kLevel>
-HWY_INLINE void moveByManyLayered(std::span<const ContactOnBlock> contacts, const V3& position, size_t lane,
-                                  V3& displacement, V3& normal) {
   Motion motion = noMotion();
   for (const ContactOnBlock& on : contacts) {
     const ContactLanes& contact = *on.mover;
@@ -375,11 +345,12 @@ HWY_INLINE void overBlock(std::uint64_t touched, const RestBlock& rest, const De
   }
 }
 
-template <bool kDrags>
+/// `kMove`: moveByOne or moveByOneLayered.
+template <auto kMove>
 void displaceByOne(const ContactOnBlock& on, const RestBlock& rest, const DeformedBlock& out) {
   const ContactLanes contact = *on.mover;  // a copy that no store can alias
   overBlock(on.region, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
-    moveByOne<kDrags, false>(contact, position, maskAt(on.region, lane), displacement, normal);
+    kMove(contact, position, maskAt(on.region, lane), displacement, normal);
   });
 }
 
@@ -392,43 +363,15 @@ void displaceByMany(std::span<const ContactOnBlock> contacts, const RestBlock& r
   });
 }
 
-void displaceByOneLayered(const ContactOnBlock& on, const RestBlock& rest, const DeformedBlock& out) {
-  const ContactLanes contact = *on.mover;  // a copy that no store can alias
-  overBlock(on.region, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
-    moveByOneLayered(contact, position, maskAt(on.region, lane), displacement, normal);
-  });
-}
-
-template <bool kLevel>
-void displaceByManyLayered(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) {
-  std::uint64_t touched = 0;
-  for (const ContactOnBlock& on : contacts) touched |= on.region;
-  overBlock(touched, rest, out, [&](const V3& position, size_t lane, V3& displacement, V3& normal) HWY_ATTR {
-    moveByManyLayered<kLevel>(contacts, position, lane, displacement, normal);
-  });
-}
-
-void displaceLayered(std::span<const ContactOnBlock> contacts, bool is_level, const RestBlock& rest,
-                     const DeformedBlock& out) {
-  if (!is_level) return displaceByManyLayered<false>(contacts, rest, out);
-  if (contacts.size() == 1) return displaceByOneLayered(contacts[0], rest, out);
-  displaceByManyLayered<true>(contacts, rest, out);
-}
-
 void displaceBlock(std::span<const ContactOnBlock> contacts, const RestBlock& rest, const DeformedBlock& out) {
   bool is_level = true;
-  bool layered = false;
-  for (const ContactOnBlock& on : contacts) {
-    is_level = is_level && on.is_level;
-    layered = layered || on.mover->layered;
-  }
-  if (layered) return displaceLayered(contacts, is_level, rest, out);
+  for (const ContactOnBlock& on : contacts) is_level = is_level && on.is_level;
   if (!is_level) return displaceByMany<false>(contacts, rest, out);
-  if (contacts.size() == 1) {
-    return drags(*contacts[0].mover) ? displaceByOne<true>(contacts[0], rest, out)
-                                     : displaceByOne<false>(contacts[0], rest, out);
-  }
-  displaceByMany<true>(contacts, rest, out);
+  if (contacts.size() != 1) return displaceByMany<true>(contacts, rest, out);
+  const ContactOnBlock& on = contacts[0];
+  if (on.mover->layered) return displaceByOne<moveByOneLayered>(on, rest, out);
+  drags(*on.mover) ? displaceByOne<moveByOne<true, false>>(on, rest, out)
+                   : displaceByOne<moveByOne<false, false>>(on, rest, out);
 }
 
 /// The same over a run of blocks all of whose vertices are touched.
@@ -450,27 +393,19 @@ HWY_INLINE void overWhole(Index blocks, const RestBlock& rest, const DeformedBlo
   }
 }
 
-template <bool kDrags>
+template <auto kMove>
 void displaceWholeByOne(const ContactLanes& lanes, Index blocks, const RestBlock& rest, const DeformedBlock& out) {
   const ContactLanes contact = lanes;  // a copy that no store can alias
   const M everyone = hn::FirstN(Lanes(), hn::Lanes(Lanes()));
   overWhole(blocks, rest, out, [&](const V3& position, V3& displacement, V3& normal) HWY_ATTR {
-    moveByOne<kDrags, true>(contact, position, everyone, displacement, normal);
-  });
-}
-
-void displaceWholeLayered(const ContactLanes& lanes, Index blocks, const RestBlock& rest, const DeformedBlock& out) {
-  const ContactLanes contact = lanes;  // a copy that no store can alias
-  const M everyone = hn::FirstN(Lanes(), hn::Lanes(Lanes()));
-  overWhole(blocks, rest, out, [&](const V3& position, V3& displacement, V3& normal) HWY_ATTR {
-    moveByOneLayered(contact, position, everyone, displacement, normal);
+    kMove(contact, position, everyone, displacement, normal);
   });
 }
 
 void displaceWholeBlocks(const ContactLanes& contact, Index blocks, const RestBlock& rest, const DeformedBlock& out) {
-  if (contact.layered) return displaceWholeLayered(contact, blocks, rest, out);
-  drags(contact) ? displaceWholeByOne<true>(contact, blocks, rest, out)
-                 : displaceWholeByOne<false>(contact, blocks, rest, out);
+  if (contact.layered) return displaceWholeByOne<moveByOneLayered>(contact, blocks, rest, out);
+  drags(contact) ? displaceWholeByOne<moveByOne<true, true>>(contact, blocks, rest, out)
+                 : displaceWholeByOne<moveByOne<false, true>>(contact, blocks, rest, out);
 }
 
 std::uint64_t doubtfulVertices(const ShearLanes& shear, const FoldBlock& block) {
