@@ -8,9 +8,9 @@
 
 #include "lab/measured/haptic_frames.h"
 #include "lab/measured/stopwatch.h"
+#include "lab/runs/partition_statistics.h"
 #include "palpate/hdb/literal_octree.h"
 #include "palpate/hdb/literal_traversal.h"
-#include "palpate/hdb/statistics.h"
 
 namespace palpate::study {
 
@@ -97,7 +97,7 @@ AssignmentRow measured(const HapticModel& model, const std::vector<std::vector<I
                        const hdb::BuildSettings& settings, int runs, double& area_error) {
   Partition tree;
   const double build_us = shortestMicroseconds(runs, [&] { tree = hdb::buildPartition(model.mesh, settings); });
-  const auto statistics = hdb::statisticsOf(tree);
+  const auto statistics = bench::statisticsOf(tree);
   const auto triangles = static_cast<double>(model.mesh.triangles.size());
   const double edge = kPrintedBoxShare * model.longest_edge;
   const FrameTimes frame = meanLiteralFrame(model, &tree, edge, runs);

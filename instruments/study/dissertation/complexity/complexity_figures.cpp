@@ -5,8 +5,8 @@
 #include <cctype>
 #include <string>
 
+#include "dissertation/complexity/complexity.h"
 #include "dissertation/complexity/complexity_results.h"
-#include "palpate/hdb/complexity.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {
@@ -47,11 +47,11 @@ Plot worstPlot(const ComplexityResults& results) {
 // Largest cost of m of n leaves on a complete tree: nodes on paths, and boxes tested.
 Series boundSeries(const std::string& name, TreeKind tree, int height, bool tested) {
   Series bound{.name = name, .stroke = Stroke::dashed, .colour = tested ? figures::kVermilion : figures::kBlue};
-  const double leaves = static_cast<double>(hdb::leavesOfCompleteTree(treeArity(tree), height));
+  const double leaves = static_cast<double>(leavesOfCompleteTree(treeArity(tree), height));
   for (double found = 1.0; found <= leaves; found += std::max(1.0, leaves / 200.0)) {
     const auto m = static_cast<std::uint64_t>(found);
     const auto nodes =
-        tested ? hdb::mostNodesTested(treeArity(tree), height, m) : hdb::mostNodesOnPaths(treeArity(tree), height, m);
+        tested ? mostNodesTested(treeArity(tree), height, m) : mostNodesOnPaths(treeArity(tree), height, m);
     bound.x.push_back(found / leaves);
     bound.y.push_back(static_cast<double>(nodes) / leaves);
   }
@@ -69,8 +69,8 @@ Series straight(const std::string& name, const Vec2& from, const Vec2& to) {
 
 // Every search of the largest model: its share of leaves found and its cost.
 Plot sharePlot(const ComplexityResults& results, TreeKind tree) {
-  const int height = tree == TreeKind::Bsp ? hdb::kBspWorstHeight : hdb::kOctreeWorstHeight;
-  const double steepness = printedCost(tree) / hdb::kWorstLeafRatio;
+  const int height = tree == TreeKind::Bsp ? kBspWorstHeight : kOctreeWorstHeight;
+  const double steepness = printedCost(tree) / kWorstLeafRatio;
   Plot plot{.title = fmt::format("The {}: cost over the leaves found", titleOf(tree))};
   plot.x = {.label = "leaves found over all leaves, m / n", .from = 0.0, .to = 1.0};
   plot.y = {.label = "cost over all leaves, c / n", .from = 0.0, .to = 2.2};
@@ -103,7 +103,7 @@ Plot sharePlot(const ComplexityResults& results, TreeKind tree) {
                           {2.2 / steepness, 2.2}),
                  straight("list of leaves: n", {0.0, 1.0}, {1.0, 1.0})};
   plot.series.back().stroke = Stroke::solid;
-  plot.places = {{{hdb::kWorstLeafRatio, printedCost(tree)}, "printed worst case", Marker::diamond}};
+  plot.places = {{{kWorstLeafRatio, printedCost(tree)}, "printed worst case", Marker::diamond}};
   return plot;
 }
 

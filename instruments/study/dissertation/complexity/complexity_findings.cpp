@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "dissertation/complexity/complexity.h"
 #include "dissertation_findings_texts.h"
-#include "palpate/hdb/complexity.h"
 
 namespace palpate::study {
 
@@ -17,7 +17,7 @@ namespace {
 using hdb::TreeKind;
 
 // Largest share of leaves found in (3.5) and (3.9).
-constexpr double kPrintedShare = hdb::kWorstLeafRatio;
+constexpr double kPrintedShare = kWorstLeafRatio;
 constexpr double kSameW = 1e-9;
 
 // The smallest tree from which on no search tested more than the printed worst case; 0 where the largest still does.
@@ -45,7 +45,7 @@ double mostNodesPerLeaf(const ComplexityResults& results, TreeKind tree) {
 int heightAboveLinear(TreeKind tree) {
   const int arity = treeArity(tree);
   for (int height = 1; height < 20; ++height) {
-    if (hdb::visitedPerLeaf(arity, hdb::kWorstLeafRatio, hdb::worstSearch(arity, height).w) > 1.0) {
+    if (visitedPerLeaf(arity, kWorstLeafRatio, worstSearch(arity, height).w) > 1.0) {
       return height;
     }
   }

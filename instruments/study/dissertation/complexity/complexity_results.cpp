@@ -6,8 +6,8 @@
 
 #include <iterator>
 
+#include "dissertation/complexity/complexity.h"
 #include "lab/measured/model_meshes.h"
-#include "palpate/hdb/complexity.h"
 
 namespace palpate::study {
 
@@ -28,13 +28,13 @@ double countedW(TreeKind tree, int height) {
 std::vector<WorstColumn> worstColumns() {
   std::vector<WorstColumn> columns;
   const auto add = [&](TreeKind tree, int height, double printed) {
-    columns.push_back({tree, height, printed, hdb::worstSearch(treeArity(tree), height).w, countedW(tree, height)});
+    columns.push_back({tree, height, printed, worstSearch(treeArity(tree), height).w, countedW(tree, height)});
   };
-  for (std::size_t i = 0; i < std::size(hdb::kTable33Heights); ++i) {
-    add(TreeKind::Bsp, hdb::kTable33Heights[i], hdb::kTable33PrintedW[i]);
+  for (std::size_t i = 0; i < std::size(kTable33Heights); ++i) {
+    add(TreeKind::Bsp, kTable33Heights[i], kTable33PrintedW[i]);
   }
-  for (std::size_t i = 0; i < std::size(hdb::kTable34Heights); ++i) {
-    add(TreeKind::Octree, hdb::kTable34Heights[i], hdb::kTable34PrintedW[i]);
+  for (std::size_t i = 0; i < std::size(kTable34Heights); ++i) {
+    add(TreeKind::Octree, kTable34Heights[i], kTable34PrintedW[i]);
   }
   return columns;
 }

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "palpate/hdb/complexity.h"
+#include "dissertation/complexity/complexity.h"
 
 namespace palpate::study {
 
-int treeArity(hdb::TreeKind tree) { return tree == hdb::TreeKind::Bsp ? hdb::kBspArity : hdb::kOctreeArity; }
+int treeArity(hdb::TreeKind tree) { return tree == hdb::TreeKind::Bsp ? kBspArity : kOctreeArity; }
 
 namespace {
 
@@ -103,7 +103,7 @@ SearchSweep sweepSearches(const mesh::TriangleMesh& mesh, const hdb::Partition& 
   for (std::size_t v = 0; v < mesh.positions.size(); v += stride) {
     const SearchCount count = counter.count(hdb::hapticBox(mesh.positions[v], edge_mm));
     const auto bound =
-        hdb::mostNodesOnPaths(treeArity(tree.tree), sweep.height, static_cast<std::uint64_t>(count.leaves_found));
+        mostNodesOnPaths(treeArity(tree.tree), sweep.height, static_cast<std::uint64_t>(count.leaves_found));
     if (bound > 0)
       sweep.worst_over_bound = std::max(sweep.worst_over_bound, count.on_paths / static_cast<double>(bound));
     updateMaxima(count, sweep.worst);

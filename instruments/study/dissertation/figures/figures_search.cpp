@@ -1,8 +1,8 @@
 // Figure 3.11: the search that ends in one leaf of a complete tree.
 #include <fmt/format.h>
 
+#include "dissertation/complexity/complexity.h"
 #include "dissertation/figures/dissertation_figures.h"
-#include "palpate/hdb/complexity.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {
@@ -20,7 +20,7 @@ Vec2 nodePlace(int level, int index) {
 bool isVisited(int level, int index) { return index == (5 >> (kHeight - level)); }  // the way to leaf 5
 
 Plot treePlot() {
-  const hdb::WorstSearch search = hdb::worstSearch(hdb::kBspArity, kHeight);
+  const WorstSearch search = worstSearch(kBspArity, kHeight);
   Plot plot{.title = fmt::format("{:g} of {:g} nodes for one of {:g} leaves: w = {:.2f}", search.visited, search.nodes,
                                  search.leaves, search.w)};
   plot.x = {.from = 0.0, .to = 8.0, .hidden = true};
@@ -53,14 +53,14 @@ Plot worstPlot() {
   plot.x = {.label = "height"};
   plot.y = {.label = "w", .from = 0.0};
   figures::Series bsp{.name = "BSP tree (Table 3.3)", .marker = figures::Marker::circle};
-  for (const int height : hdb::kTable33Heights) {
+  for (const int height : kTable33Heights) {
     bsp.x.push_back(height);
-    bsp.y.push_back(hdb::worstSearch(hdb::kBspArity, height).w);
+    bsp.y.push_back(worstSearch(kBspArity, height).w);
   }
   figures::Series octree{.name = "octree (Table 3.4)", .marker = figures::Marker::square};
-  for (const int height : hdb::kTable34Heights) {
+  for (const int height : kTable34Heights) {
     octree.x.push_back(height);
-    octree.y.push_back(hdb::worstSearch(hdb::kOctreeArity, height).w);
+    octree.y.push_back(worstSearch(kOctreeArity, height).w);
   }
   plot.series = {bsp, octree};
   return plot;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dissertation/complexity/complexity.h"
 #include "dissertation/numbers/numbers_study.h"
-#include "palpate/hdb/complexity.h"
 #include "palpate/tissue/force_law.h"
 #include "report/page/study_page.h"
 
@@ -21,7 +21,7 @@ constexpr double kMaxTriangles = 100000.0;
 void addTree(const std::string& table, int arity, const std::vector<PrintedTree>& columns, Rows& rows) {
   for (const PrintedTree& column : columns) {
     const std::string where = fmt::format("{}, height {}", table, column.height);
-    const hdb::WorstSearch ours = hdb::worstSearch(arity, column.height);
+    const WorstSearch ours = worstSearch(arity, column.height);
     rows.push_back(judged(where, "r", column.leaf_share, ours.leaf_ratio, "one leaf of the complete tree"));
     rows.push_back(judged(where, "share of nodes", column.node_share, ours.visit_ratio, "one path over all nodes"));
     rows.push_back(judged(where, "w", column.w, ours.w, "share of nodes over r"));
@@ -29,14 +29,14 @@ void addTree(const std::string& table, int arity, const std::vector<PrintedTree>
 }
 
 // The tables' w as the text uses them: rounded to two decimals.
-double roundedW(int arity, int height) { return std::round(100.0 * hdb::worstSearch(arity, height).w) / 100.0; }
+double roundedW(int arity, int height) { return std::round(100.0 * worstSearch(arity, height).w) / 100.0; }
 
 double costOverLeaves(const PrintedNumbers& printed, int arity, const std::string& height) {
   const double share = parsePrinted(printed.largest_share_of_leaves).value;
-  return hdb::visitedPerLeaf(arity, share, roundedW(arity, static_cast<int>(parsePrinted(height).value)));
+  return visitedPerLeaf(arity, share, roundedW(arity, static_cast<int>(parsePrinted(height).value)));
 }
 
-double heightNeeded(int arity) { return std::ceil(hdb::heightOfCompleteTree(arity, kMaxTriangles / kThreshold)); }
+double heightNeeded(int arity) { return std::ceil(heightOfCompleteTree(arity, kMaxTriangles / kThreshold)); }
 
 // A printed time and a printed rate can be the same measurement when the rate lies within what both roundings allow.
 NumberRow rateRow(const std::string& where, const PrintedTiming& timing) {
@@ -107,17 +107,17 @@ void addHaptics(const PrintedNumbers& printed, Rows& rows) {
 }
 
 void addPartitionComplexity(const PrintedNumbers& printed, Rows& rows) {
-  addTree("Table 3.3", hdb::kBspArity, printed.table_3_3, rows);
+  addTree("Table 3.3", kBspArity, printed.table_3_3, rows);
   rows.push_back(judged("3.3.4", "height of the BSP tree of 100k triangles", printed.bsp_height,
-                        heightNeeded(hdb::kBspArity), "(3.1) with leaves of 1024 triangles"));
+                        heightNeeded(kBspArity), "(3.1) with leaves of 1024 triangles"));
   rows.push_back(judged("(3.5)", "nodes visited over leaves, BSP", printed.bsp_cost_over_n,
-                        costOverLeaves(printed, hdb::kBspArity, printed.bsp_height),
+                        costOverLeaves(printed, kBspArity, printed.bsp_height),
                         "0.1 w 2; a real worst case is looser (docs/explanation/partition.md)"));
-  addTree("Table 3.4", hdb::kOctreeArity, printed.table_3_4, rows);
+  addTree("Table 3.4", kOctreeArity, printed.table_3_4, rows);
   rows.push_back(judged("3.4.2", "height of the octree of 100k triangles", printed.octree_height,
-                        heightNeeded(hdb::kOctreeArity), "(3.6) with leaves of 1024 triangles"));
+                        heightNeeded(kOctreeArity), "(3.6) with leaves of 1024 triangles"));
   rows.push_back(judged("(3.9)", "nodes visited over leaves, octree", printed.octree_cost_over_n,
-                        costOverLeaves(printed, hdb::kOctreeArity, printed.octree_height), "0.1 w 8/7"));
+                        costOverLeaves(printed, kOctreeArity, printed.octree_height), "0.1 w 8/7"));
 }
 
 void addMeasuredRates(const PrintedNumbers& printed, Rows& rows) {

@@ -147,7 +147,7 @@ void runPartition(const PartitionArguments& arguments) {
   PartitionReport report{.mesh = arguments.mesh.file,
                          .triangles = mesh.triangles.size(),
                          .settings = arguments.settings,
-                         .statistics = hdb::statisticsOf(built.partition),
+                         .statistics = bench::statisticsOf(built.partition),
                          .build_seconds = built.seconds,
                          .lost = built.lost,
                          .box = {}};

@@ -22,11 +22,11 @@ double bytesPerTriangle(const PartitionReport& report) {
   return perTriangle(static_cast<double>(report.statistics.bytes), report);
 }
 
-std::string sizeRange(const hdb::LeafSizeBin& bin) {
+std::string sizeRange(const bench::LeafSizeBin& bin) {
   return bin.first == bin.last ? fmt::to_string(bin.first) : fmt::format("{}-{}", bin.first, bin.last);
 }
 
-std::string histogramText(const hdb::LeafSizes& sizes) {
+std::string histogramText(const bench::LeafSizes& sizes) {
   std::string text;
   for (const auto& bin : sizes.histogram) {
     if (bin.leaves > 0) text += fmt::format("    {:>17} triangles  {} leaves\n", sizeRange(bin), bin.leaves);
@@ -49,7 +49,7 @@ std::string boxText(const PartitionReport::Box& box) {
   return text + fmt::format("  time, exact         p50 {:.2f}  p99 {:.2f} us\n", q.exact_us.p50, q.exact_us.p99);
 }
 
-Json toJson(const hdb::LeafSizes& sizes) {
+Json toJson(const bench::LeafSizes& sizes) {
   Json bins = Json::array();
   for (const auto& bin : sizes.histogram) {
     bins.push_back({{"first", bin.first}, {"last", bin.last}, {"leaves", bin.leaves}});
@@ -79,7 +79,7 @@ Json toJson(const PartitionReport::Box& box) {
 }  // namespace
 
 std::string textOf(const PartitionReport& report) {
-  const hdb::PartitionStatistics& s = report.statistics;
+  const bench::PartitionStatistics& s = report.statistics;
   std::string text = fmt::format("partition             {}, assignment {}, threshold {}{}\n",
                                  wordFor(report.settings.tree), wordFor(report.settings.assignment),
                                  report.settings.threshold, report.settings.leaf_below_threshold ? " (below)" : "");
@@ -101,7 +101,7 @@ std::string textOf(const PartitionReport& report) {
 }
 
 Json toJson(const PartitionReport& report) {
-  const hdb::PartitionStatistics& s = report.statistics;
+  const bench::PartitionStatistics& s = report.statistics;
   Json json;
   json["mesh"] = report.mesh;
   json["triangles"] = report.triangles;

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "lab/counters/statistics.h"
+#include "lab/runs/partition_statistics.h"
 #include "palpate/base/json.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/hdb/literal_traversal.h"
-#include "palpate/hdb/statistics.h"
 #include "report/charts/figure.h"
 
 namespace palpate::app {
@@ -49,7 +49,7 @@ struct PartitionReport {
   std::string mesh;
   std::size_t triangles = 0;
   hdb::BuildSettings settings;
-  hdb::PartitionStatistics statistics;
+  bench::PartitionStatistics statistics;
   double build_seconds = 0.0;
   std::optional<std::size_t> lost;  ///< by the printed octree rule (E6)
 

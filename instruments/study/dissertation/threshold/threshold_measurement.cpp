@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "lab/measured/haptic_frames.h"
-#include "palpate/hdb/statistics.h"
+#include "lab/runs/partition_statistics.h"
 
 namespace palpate::study {
 
@@ -19,7 +19,7 @@ using hdb::TreeKind;
 ThresholdRow measured(const HapticModel& model, TreeKind tree, Index threshold, const ThresholdPlan& plan,
                       double& exact_triangles) {
   const auto built = hdb::buildPartition(model.mesh, {.tree = tree, .threshold = threshold});
-  const auto statistics = hdb::statisticsOf(built);
+  const auto statistics = bench::statisticsOf(built);
   const double edge = kPrintedBoxShare * model.longest_edge;
   const FrameTimes frame = meanLiteralFrame(model, &built, edge, plan.runs);
   const ExactFrame exact = meanExactFrame(model, built, edge, plan.runs);

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "lab/counters/thread_counts.h"
+#include "lab/runs/partition_statistics.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/random.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/hdb/haptic_box.h"
 #include "palpate/hdb/linked_triangles.h"
-#include "palpate/hdb/statistics.h"
 #include "palpate/tree/triangle_tree.h"
 
 namespace palpate::bench {
@@ -153,8 +153,7 @@ PartitionFigures measurePartition(const mesh::TriangleMesh& mesh, const Partitio
   figures.triangles = mesh.triangles.size();
   const Partition built = fastestBuild(mesh, run, figures.build_ns_per_triangle);
   figures.edge_mm = hdb::hdbEdges(built.bounds).x();
-  figures.bytes_per_triangle =
-      static_cast<double>(hdb::statisticsOf(built).bytes) / static_cast<double>(figures.triangles);
+  figures.bytes_per_triangle = static_cast<double>(statisticsOf(built).bytes) / static_cast<double>(figures.triangles);
   const std::vector<Vec3> proxies = slidingProxies(mesh, run);
   Samples samples(proxies.size());
   measureQueries(built, proxies, samples, figures);

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "dissertation/complexity/complexity.h"
 #include "dissertation/complexity/search_cost.h"
 #include "lab/measured/model_meshes.h"
-#include "palpate/hdb/complexity.h"
 #include "report/tests/report/page_numbers.h"
 #include "report/tests/report/texts_apart.h"
 
@@ -25,12 +25,12 @@ Box3 everywhere(const hdb::Partition& tree) { return tree.bounds; }
 
 TEST(CompleteTree, HasAsManyNodesAsTheFormulae) {
   for (const auto& [kind, arity, most] :
-       {std::tuple{TreeKind::Bsp, hdb::kBspArity, 10}, std::tuple{TreeKind::Octree, hdb::kOctreeArity, 4}}) {
+       {std::tuple{TreeKind::Bsp, kBspArity, 10}, std::tuple{TreeKind::Octree, kOctreeArity, 4}}) {
     for (int height = 1; height <= most; ++height) {
       const hdb::Partition tree = completeTree(kind, height);
-      const auto leaves = static_cast<double>(hdb::leavesOfCompleteTree(arity, height));
+      const auto leaves = static_cast<double>(leavesOfCompleteTree(arity, height));
       EXPECT_EQ(static_cast<double>(tree.leaves.size()), leaves);
-      EXPECT_EQ(static_cast<double>(tree.tree_node_count), hdb::nodesOfCompleteTree(arity, leaves));
+      EXPECT_EQ(static_cast<double>(tree.tree_node_count), nodesOfCompleteTree(arity, leaves));
     }
   }
 }

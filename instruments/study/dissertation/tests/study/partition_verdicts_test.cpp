@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "dissertation/assignment/assignment_measurement.h"
+#include "dissertation/complexity/complexity.h"
 #include "dissertation/complexity/complexity_results.h"
 #include "dissertation/hdb/hdb_measurement.h"
 #include "dissertation/tables/rendering_rates.h"
 #include "dissertation/threshold/threshold_measurement.h"
-#include "palpate/hdb/complexity.h"
 #include "report/tests/report/says.h"
 
 namespace palpate::study {
@@ -357,7 +357,7 @@ ComplexityResults someSearches() {
     }
   }
   const auto column = [](int height, double printed) {
-    const double w = hdb::worstSearch(hdb::kBspArity, height).w;
+    const double w = worstSearch(kBspArity, height).w;
     return WorstColumn{TreeKind::Bsp, height, printed, w, w};
   };
   results.columns = {column(3, 2.13), column(5, 3.04)};

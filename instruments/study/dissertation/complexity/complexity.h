@@ -6,7 +6,7 @@
 
 #include "palpate/base/elementary.h"
 
-namespace palpate::hdb {
+namespace palpate::study {
 
 inline constexpr int kBspArity = 2;
 inline constexpr int kOctreeArity = 8;
@@ -81,4 +81,4 @@ inline std::uint64_t mostNodesTested(int arity, int height, std::uint64_t found)
   return 1 + static_cast<std::uint64_t>(arity) * above_leaves;
 }
 
-}  // namespace palpate::hdb
+}  // namespace palpate::study

@@ -1,4 +1,4 @@
-#include "palpate/hdb/complexity.h"
+#include "dissertation/complexity/complexity.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "support/golden.h"
 
-namespace palpate::hdb {
+namespace palpate::study {
 
 namespace {
 
@@ -72,4 +72,4 @@ TEST(Complexity, TheWorstCaseIsThatOfAllWaysToChooseLeaves) {
   }
 }
 
-}  // namespace palpate::hdb
+}  // namespace palpate::study

@@ -1,10 +1,14 @@
-#include "palpate/hdb/statistics.h"
+#include "lab/runs/partition_statistics.h"
 
 #include <gtest/gtest.h>
 
 #include "core/tests/hdb/partition_judges.h"
 
 namespace palpate::hdb {
+
+using bench::LeafSizeBin;
+using bench::PartitionStatistics;
+using bench::statisticsOf;
 
 TEST(PartitionStatistics, CountASingleLeaf) {
   const PartitionStatistics s = statisticsOf(buildPartition(zoo::cube(), {}));

@@ -6,7 +6,7 @@
 
 #include "palpate/hdb/partition.h"
 
-namespace palpate::hdb {
+namespace palpate::bench {
 
 /// Leaves with first to last entries (both included).
 struct LeafSizeBin {
@@ -39,6 +39,6 @@ struct PartitionStatistics {
 inline constexpr std::size_t kOverlapSamples = 20000;
 
 /// Cold: some milliseconds.
-PartitionStatistics statisticsOf(const Partition& partition);
+PartitionStatistics statisticsOf(const hdb::Partition& partition);
 
-}  // namespace palpate::hdb
+}  // namespace palpate::bench

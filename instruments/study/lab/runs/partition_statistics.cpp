@@ -2,14 +2,14 @@
 //
 // Data flow: Partition -> here -> `palpate study partition` and the studies. Based on: Ji, dissertation 2008, 3.3.1,
 // Table 3.3.
-#include "palpate/hdb/statistics.h"
+#include "lab/runs/partition_statistics.h"
 
 #include <algorithm>
 #include <bit>
 
 #include "palpate/hdb/haptic_box.h"
 
-namespace palpate::hdb {
+namespace palpate::bench {
 
 namespace {
 
@@ -18,13 +18,13 @@ std::size_t bytesOf(const std::vector<T>& values) {
   return values.size() * sizeof(T);
 }
 
-std::size_t bytesOf(const Partition& partition) {
+std::size_t bytesOf(const hdb::Partition& partition) {
   return bytesOf(partition.nodes) + bytesOf(partition.cells) + bytesOf(partition.leaves) +
          bytesOf(partition.triangles) + bytesOf(partition.boxes) + bytesOf(partition.pieces);
 }
 
-std::size_t emptyNodes(const Partition& partition) {
-  const std::size_t arity = partition.tree == TreeKind::Bsp ? 2 : 8;
+std::size_t emptyNodes(const hdb::Partition& partition) {
+  const std::size_t arity = partition.tree == hdb::TreeKind::Bsp ? 2 : 8;
   std::size_t empty = 0;
   for (Index n = 0; n < partition.tree_node_count; ++n) {
     if (!partition.nodes[n].is_leaf) empty += arity - partition.nodes[n].child_count;
@@ -32,7 +32,7 @@ std::size_t emptyNodes(const Partition& partition) {
   return empty;
 }
 
-LeafSizes leafSizes(const Partition& partition) {
+LeafSizes leafSizes(const hdb::Partition& partition) {
   LeafSizes sizes;
   if (partition.leaves.empty()) return sizes;
   sizes.least = kNoIndex;
@@ -52,7 +52,7 @@ LeafSizes leafSizes(const Partition& partition) {
 }
 
 /// The box of the leaf's triangles, or of its pieces where triangles are cut.
-Box3 drawnBox(const Partition& partition, const Node& leaf) {
+Box3 drawnBox(const hdb::Partition& partition, const hdb::Node& leaf) {
   if (partition.pieces.empty()) return leaf.tight;
   Box3 box;
   for (Index e = leaf.first_entry; e < leaf.first_entry + leaf.entry_count; ++e) {
@@ -61,28 +61,28 @@ Box3 drawnBox(const Partition& partition, const Node& leaf) {
   return box;
 }
 
-Vec3 entryCentre(const Partition& partition, std::size_t entry) {
+Vec3 entryCentre(const hdb::Partition& partition, std::size_t entry) {
   if (partition.pieces.empty()) return partition.boxes[entry].center();
   const auto& [a, b, c] = partition.pieces[entry];
   return (a + b + c) / 3.0;
 }
 
-std::vector<Box3> drawnBoxes(const Partition& partition) {
+std::vector<Box3> drawnBoxes(const hdb::Partition& partition) {
   std::vector<Box3> boxes(partition.tree_node_count);
   for (const Index leaf : partition.leaves) boxes[leaf] = drawnBox(partition, partition.nodes[leaf]);
   return boxes;
 }
 
-double leavesPerPoint(const Partition& partition) {
+double leavesPerPoint(const hdb::Partition& partition) {
   const std::size_t entries = partition.triangles.size();
   if (entries == 0) return 0.0;
   const std::vector<Box3> boxes = drawnBoxes(partition);
   const std::size_t samples = std::min(entries, kOverlapSamples);
-  LeafHits hits;
+  hdb::LeafHits hits;
   std::size_t leaves = 0;
   for (std::size_t i = 0; i < samples; ++i) {
     const Vec3 point = entryCentre(partition, i * entries / samples);
-    findLeaves(partition, Box3(point), hits);
+    hdb::findLeaves(partition, Box3(point), hits);
     for (const Index leaf : hits.leaves) leaves += boxes[leaf].contains(point) ? 1 : 0;
   }
   return static_cast<double>(leaves) / static_cast<double>(samples);
@@ -90,7 +90,7 @@ double leavesPerPoint(const Partition& partition) {
 
 }  // namespace
 
-PartitionStatistics statisticsOf(const Partition& partition) {
+PartitionStatistics statisticsOf(const hdb::Partition& partition) {
   PartitionStatistics statistics;
   for (const Index leaf : partition.leaves) {
     statistics.height = std::max<int>(statistics.height, partition.nodes[leaf].level);
@@ -110,4 +110,4 @@ PartitionStatistics statisticsOf(const Partition& partition) {
   return statistics;
 }
 
-}  // namespace palpate::hdb
+}  // namespace palpate::bench
