@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "palpate/tissue/pressed_numbers.h"
+#include "solve/realism/pressed_numbers.h"
 
 namespace palpate::app {
 

@@ -14,9 +14,9 @@
 #include "cli/kit/output_place.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
-#include "palpate/tissue/pressed_numbers.h"
 #include "report/charts/picture_file.h"
 #include "solve/commands/layered_figure.h"
+#include "solve/realism/pressed_numbers.h"
 
 namespace palpate::app {
 

@@ -1,4 +1,4 @@
-#include "palpate/tissue/pressed_numbers.h"
+#include "solve/realism/pressed_numbers.h"
 
 #include <gtest/gtest.h>
 

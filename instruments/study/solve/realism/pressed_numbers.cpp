@@ -1,5 +1,5 @@
 // Table -> numbers for people.
-#include "palpate/tissue/pressed_numbers.h"
+#include "solve/realism/pressed_numbers.h"
 
 #include <fmt/format.h>
 
