@@ -10,7 +10,7 @@
 #include "palpate/base/progress.h"
 #include "palpate/device/back_ends.h"
 #include "palpate/device/device.h"
-#include "palpate/device/device_profile.h"
+#include "palpate/device/device_identification.h"
 #include "palpate/servo/histogram.h"
 
 namespace palpate::app {

@@ -18,6 +18,7 @@
 #include "palpate/base/made_folder.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/device/back_ends.h"
+#include "palpate/engine/bone_cover.h"
 #include "palpate/engine/living_skin.h"
 #include "palpate/scene/hdb_source.h"
 #include "palpate/servo/device_limits.h"

@@ -12,7 +12,7 @@
 
 #include "cli/simulate/run_recorder.h"
 #include "palpate/base/json.h"
-#include "palpate/engine/living_skin.h"
+#include "palpate/engine/bone_cover.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
 

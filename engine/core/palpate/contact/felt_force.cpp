@@ -16,6 +16,7 @@
 
 #include "palpate/contact/friction.h"
 #include "palpate/contact/lump_force.h"
+#include "palpate/contact/relaxation.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {

@@ -16,7 +16,7 @@ namespace palpate::contact {
 inline constexpr double kMaxRelaxation = 0.9;
 
 /// How the force falls while the skin is held: by which share of what it would be at once, and over which time
-/// (felt_force.h). Two terms at most; a share of 0 is none.
+/// (relaxation.h). Two terms at most; a share of 0 is none.
 struct Relaxation {
   double share = 0.0;
   double time_s = 1.0;
@@ -80,7 +80,7 @@ struct Dent {
   Index triangle = kNoIndex;  ///< of the mesh
 };
 
-/// The skin's memory of presses (felt_force.h); zeros without relaxation.
+/// The skin's memory of presses (relaxation.h); zeros without relaxation.
 struct SkinMemory {
   std::array<double, 2> under_mm{};  ///< the eased depth of each term, effective: of the skin under the finger
   std::array<double, 2> left_mm{};   ///< of the dent that it left

@@ -1,5 +1,5 @@
 // Two exponentials and a few products a tick, and none without relaxation. Called by felt_force.cpp.
-#include "palpate/contact/felt_force.h"
+#include "palpate/contact/relaxation.h"
 
 #include <algorithm>
 #include <cmath>

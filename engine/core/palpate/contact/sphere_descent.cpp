@@ -11,7 +11,7 @@
 //
 // Based on: Ruspini, Kolarov, Khatib, "The haptic display of complex graphical environments" (1997) for a sphere as
 // proxy among planes; Kelley, "The cutting-plane method for solving convex programs" (1960).
-#include "palpate/contact/sphere_feet.h"
+#include "palpate/contact/sphere_descent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +20,7 @@
 #include "palpate/base/elementary.h"
 #include "palpate/contact/border.h"
 #include "palpate/contact/press.h"
+#include "palpate/contact/sphere_feet.h"
 #include "palpate/contact/surface_walk.h"
 
 namespace palpate::contact {

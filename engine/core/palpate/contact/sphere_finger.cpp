@@ -19,6 +19,7 @@
 #include "palpate/contact/finger.h"
 #include "palpate/contact/press.h"
 #include "palpate/contact/sides.h"
+#include "palpate/contact/sphere_descent.h"
 #include "palpate/contact/sphere_feet.h"
 #include "palpate/contact/surface_walk.h"
 

@@ -16,6 +16,7 @@
 #include "palpate/base/aligned.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/finger_tick.h"
+#include "palpate/contact/relaxation.h"
 
 namespace palpate::contact {
 

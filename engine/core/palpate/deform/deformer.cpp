@@ -16,6 +16,7 @@
 #include "palpate/deform/normals.h"
 #include "palpate/deform/plan.h"
 #include "palpate/deform/strain.h"
+#include "palpate/deform/together.h"
 
 namespace palpate::deform {
 

@@ -9,6 +9,7 @@
 
 #include "palpate/base/elementary.h"
 #include "palpate/deform/contact.h"
+#include "palpate/deform/layered_frame.h"
 
 namespace palpate::deform {
 

@@ -1,7 +1,9 @@
 // Adjacency turned into words of 64: made when a skin is built, moved through by region_by_blocks.cpp.
-#include "palpate/deform/skin.h"
+#include "palpate/deform/group_graph.h"
 
 #include <algorithm>
+
+#include "palpate/deform/kernels/blocks.h"
 
 namespace palpate::deform {
 

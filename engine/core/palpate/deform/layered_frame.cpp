@@ -1,6 +1,6 @@
 // Curves are looked at in as many places as they could have corners in: they are polynomials of low degree in a smooth
 // bell. Data flow: Contact::layered -> here, once a contact and apply -> frames -> hold and kernels.
-#include "palpate/deform/contact.h"
+#include "palpate/deform/layered_frame.h"
 
 #include <algorithm>
 

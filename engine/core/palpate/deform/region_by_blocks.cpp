@@ -3,7 +3,7 @@
 // Data flow: ContactLanes -> find -> blocks and their vertices -> plan (plan.h). Boxes and vertices are tested by
 // kernels.cpp, words are flooded by group_graph.cpp.
 // Based on: Ji, dissertation 2008, section 4.5, with E23; the flood by words is not in it.
-#include "palpate/deform/fast_displacement.h"
+#include "palpate/deform/region_by_blocks.h"
 
 namespace palpate::deform {
 

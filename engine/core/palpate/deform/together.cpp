@@ -2,7 +2,7 @@
 //
 // Data flow: couplings and requests of the plan -> here -> its amplitudes and shifts.
 // Based on: Cottle, Pang, Stone, "The linear complementarity problem" (1992); E25.
-#include "palpate/deform/plan.h"
+#include "palpate/deform/together.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Both clouds about their middles -> covariance -> its singular vectors are the rotation, without mirroring; the scale
 // is the remainder, the origin follows. Cold path. Based on: Umeyama 1991 (device_frame.h).
-#include "palpate/device/device_frame.h"
+#include "palpate/device/calibration.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "palpate/base/error.h"
+#include "palpate/device/device_frame.h"
 
 namespace palpate::device {
 

@@ -6,7 +6,7 @@
 // so each half swing gives linear equations; integrals, not derivatives, because the places are counts of an encoder.
 // A half swing that begins with a jump of the spring begins at rest (v0 = 0) when the force arrives. That gives the
 // delay: the one that leaves the least residual.
-#include "palpate/device/device_profile.h"
+#include "palpate/device/device_identification.h"
 
 #include <fmt/format.h>
 

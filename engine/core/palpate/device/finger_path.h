@@ -13,12 +13,6 @@
 
 namespace palpate::device {
 
-// From "press, drag, circle" to one position per tick: a finger that follows the relief of the skin at a given depth.
-//
-// Data flow: scene::Finger's steps + the height of the skin at rest -> tips -> scripted device. Motions start and end
-// at rest (minimum jerk), as a hand's do. Based on: Flash and Hogan, "The coordination of arm movements", J. Neurosci.
-// 5 (1985), for the time course.
-
 /// The frame of a script: u and v along the skin, w out of it; orthonormal.
 struct ScriptFrame {
   Vec3 origin = Vec3::Zero();
@@ -30,10 +24,12 @@ struct ScriptFrame {
 /// Height of the skin at rest above the frame's plane, mm; empty off the skin.
 using SkinHeight = std::function<std::optional<double>(double u_mm, double v_mm)>;
 
-/// One tip per tick, from the script's start to its end. Depths and heights are those of the finger's pad, which is its
-/// radius below the tip; they count along w from the skin, whose relief is smoothed over kReliefSmoothingS: a hand does
-/// not follow a cliff. Past the border the last height holds. Throws Error when the start is not over skin, or the
-/// script is longer than kMaxScriptS.
+/// From "press, drag, circle" to one tip per tick, from the script's start to its end: a finger that follows the relief
+/// of the skin at a given depth. Motions start and end at rest (minimum jerk), as a hand's do. Depths and heights are
+/// those of the finger's pad, which is its radius below the tip; they count along w from the skin, whose relief is
+/// smoothed over kReliefSmoothingS: a hand does not follow a cliff. Past the border the last height holds. Throws Error
+/// when the start is not over skin, or the script is longer than kMaxScriptS. Based on: Flash and Hogan, "The
+/// coordination of arm movements", J. Neurosci. 5 (1985), for the time course.
 std::vector<Vec3> walkScript(const scene::Finger& finger, const ScriptFrame& frame, const SkinHeight& height,
                              double tick_s);
 

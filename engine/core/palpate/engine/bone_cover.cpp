@@ -1,6 +1,6 @@
 // A vertex cannot come nearer to bone than its distance at rest less its displacement: most need not be asked. One
 // whose way from rest passes the front of a bone is inside it.
-#include "palpate/engine/living_skin.h"
+#include "palpate/engine/bone_cover.h"
 
 #include <fmt/format.h>
 

@@ -46,7 +46,7 @@ maps::SurfaceEllipse dragRegion(const World& world, const contact::FingerOutput&
   return world.ellipses.on(place, finger.normal);
 }
 
-/// mm: how deep skin is that stays at this effective depth by itself (contact/felt_force.h).
+/// mm: how deep skin is that stays at this effective depth by itself (contact/relaxation.h).
 double depthAtRest(const World& world, double rest_mm, Index triangle, double finger_mm) noexcept {
   const std::vector<double>& tissue_mm = world.surface.tissue_mm;
   if (triangle >= world.body->skin.triangles.size()) return 0.0;

@@ -1,6 +1,6 @@
 // Observer, then controller. The work of the model is the trapezoid of two ticks (exact for springs), the work of the
 // device is that of the held, delayed, clamped force. Based on: see limiter.h.
-#include "palpate/servo/limiter.h"
+#include "palpate/servo/passivity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // d0 = min(2 mm, K step^2 / (2 F1)): with it the first step of depth gives about F1.
-#include "palpate/servo/limiter.h"
+#include "palpate/servo/soft_contact.h"
 
 #include <algorithm>
 

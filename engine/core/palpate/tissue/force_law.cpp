@@ -344,9 +344,8 @@ double steepestFactor(const ForceLaw& law, double depth_mm, double finger_mm) no
   return steepest;
 }
 
-// Doubled until it is deep enough, then halved 60 times: some 5 us. Laws do not decrease, and nothing else is asked of
-// them.
-
+/// Doubled until it is deep enough, then halved 60 times: some 5 us. Laws do not decrease, and nothing else is asked of
+/// them.
 double depthOf(const ForceLaw& law, double effective_mm, const PressedPlace& place) noexcept {
   if (!(effective_mm > 0.0)) return 0.0;
   if (law.kind == ForceLaw::Kind::linear) return effective_mm;

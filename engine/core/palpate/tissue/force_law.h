@@ -149,11 +149,9 @@ double cappedForce(const LayeredForce& layers, double stiffness_n_per_mm, double
 /// it.
 double steepestFactor(const ForceLaw& law, double depth_mm, double finger_mm = 0.0) noexcept;
 
-// From how strong back to how deep: a force law read the other way.
-//
-// The finger never asks for it; the display does, once a finger and frame, to show skin that pushes back with no more
-// than it has left (contact/felt_force.h).
-
+/// From how strong back to how deep: a force law read the other way. The finger never asks for it; the display does,
+/// once a finger and frame, to show skin that pushes back with no more than it has left (contact/relaxation.h).
+///
 /// The least depth at which the law's effective depth reaches this, mm: h(result) = effective_mm to rounding. 0 for
 /// what is not positive; no deeper than 1 m. Any thread.
 double depthOf(const ForceLaw& law, double effective_mm, const PressedPlace& place) noexcept;

@@ -35,11 +35,8 @@ ProfilePoint powerForm(const PowerTail& shape, double q) noexcept;
 /// The curve times a window that is 1 up to q = 0.8 and falls to 0 at q = 1 with slope 0 at both ends (smoothstep).
 ProfilePoint fadedOut(const ProfilePoint& point, double q) noexcept;
 
-// The profile as printed: the half Gaussian through 700 stored entries, nearest lookup, with its step at the rim.
-//
-// Based on: Ji, dissertation 2008, (4.2), (4.3); E18.
-
-/// These settings with what the fidelity takes literally. // E18
+/// These settings with what the fidelity takes literally: the profile as printed is the half Gaussian through 700
+/// stored entries, nearest lookup, with its step at the rim. Based on: Ji, dissertation 2008, (4.2), (4.3); E18.
 inline ProfileSettings withFidelity(ProfileSettings settings, const Fidelity& fidelity) {
   if (!fidelity.literal(Erratum::E18_profile_rim)) return settings;
   settings.rim = ProfileRim::step;
@@ -47,12 +44,11 @@ inline ProfileSettings withFidelity(ProfileSettings settings, const Fidelity& fi
   return settings;
 }
 
-// The pull towards the finger: pressed skin does not only sink, it is drawn in sideways.
-//
-// A share of the depth, zero under the finger, largest at q = width, faded out towards the rim. Layered tissue shows 5
-// to 11 % of the depth at half the half Gaussian's radius (finite elements, docs/reference/deformation-forms.md); the
-// dissertation has no such term, so it is off by default.
-
+/// The pull towards the finger: pressed skin does not only sink, it is drawn in sideways.
+///
+/// A share of the depth, zero under the finger, largest at q = width, faded out towards the rim. Layered tissue shows 5
+/// to 11 % of the depth at half the half Gaussian's radius (finite elements, docs/reference/deformation-forms.md); the
+/// dissertation has no such term, so it is off by default.
 /// inward displacement = share depth (q/width) exp(1/2 - q^2 / (2 width^2)).
 struct RadialTerm {
   double share = 0.0;  ///< of the depth, at its largest; 0 = off, below 0 pushes outward

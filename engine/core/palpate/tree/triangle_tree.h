@@ -103,7 +103,6 @@ Crossing firstFrontCrossing(const TriangleTree& tree, const Vec3& from, const Ve
 Crossing firstFrontCrossingAmong(const TriangleTree& tree, std::span<const Index> records, const Vec3& from,
                                  const Vec3& to) noexcept;
 
-// ------------------------------------------------------------------------------------------------------------------
 // The same queries with the caller's own test, for those who need one (contact). Templates, so that it is inlined.
 
 namespace detail {
@@ -242,10 +241,9 @@ Crossing firstFrontCrossingIf(const TriangleTree& tree, const Vec3& from, const 
   return first;
 }
 
-// The plates of a triangle tree's nodes (wide_node.h): how the surface in each child faces, how thick it is across that
-// direction and how far its normals spread.
-
-/// Fills them from the tree's records; the last step of buildTriangleTree. About 0.1 us a triangle.
+/// Fills the plates of the tree's nodes (wide_node.h) - how the surface in each child faces, how thick it is across
+/// that direction and how far its normals spread - from its records; the last step of buildTriangleTree. About 0.1 us a
+/// triangle.
 void fillPlates(TriangleTree& tree, const Progress& progress = {});
 
 // Inside or outside: how often a surface winds round a point.

@@ -1,5 +1,5 @@
 // Skin that relaxes, judged by closed forms of the standard linear solid and by what a hand puts in and gets back.
-#include "palpate/contact/felt_force.h"
+#include "palpate/contact/relaxation.h"
 
 #include <gtest/gtest.h>
 

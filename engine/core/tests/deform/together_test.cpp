@@ -1,3 +1,4 @@
+#include "palpate/deform/together.h"
 #include "palpate/deform/plan.h"
 
 #include <gtest/gtest.h>

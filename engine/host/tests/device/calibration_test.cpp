@@ -1,5 +1,6 @@
 // Three places that were touched: the transformation comes back exactly, places that do not tell it are refused in
 // words, and what does not fit is said.
+#include "palpate/device/calibration.h"
 #include "palpate/device/device_frame.h"
 
 #include <gtest/gtest.h>

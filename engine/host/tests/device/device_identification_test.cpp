@@ -1,5 +1,6 @@
 // What a device swallows and how late it is, read from how it swings: against simulated devices whose numbers are
 // known, nominal ones and others within wide bounds. The worst of them are in docs/reference/devices.md.
+#include "palpate/device/device_identification.h"
 #include "palpate/device/device_profile.h"
 
 #include <fmt/format.h>

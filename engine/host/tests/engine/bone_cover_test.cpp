@@ -1,4 +1,5 @@
 // The skin never sinks into a bone: pressed as deep as it goes where bones lie near, its distance to the drawn bones.
+#include "palpate/engine/bone_cover.h"
 #include "palpate/engine/living_skin.h"
 
 #include <fmt/format.h>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "palpate/device/device_frame.h"
+#include "palpate/device/calibration.h"
 #include "palpate/device/workspace.h"
 #include "palpate/servo/limiter.h"
 

@@ -1,5 +1,5 @@
 // A flat sheet of layered tissue as the loin has it, felt by the product's own finger at 1 kHz. Based on: see
-// contact/felt_force.h; the two terms of beef are fitted to published curves (docs/explanation/force-laws.md).
+// contact/relaxation.h; the two terms of beef are fitted to published curves (docs/explanation/force-laws.md).
 #include "dissertation/relaxation/relaxation_measurement.h"
 
 #include <algorithm>

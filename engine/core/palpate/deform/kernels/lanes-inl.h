@@ -44,10 +44,8 @@ HWY_INLINE void store(const V3& v, float* const* values, size_t lane) {
   hn::Store(v.z, d, values[2] + lane);
 }
 
-// Products are rounded before they are added: the skin has the same bits on every processor, with fused multiply-add or
-// without. The machine's estimates of 1 / x and 1 / sqrt(x) would not have them either.
-
-/// a b + c
+/// a b + c. Products are rounded before they are added: the skin has the same bits on every processor, with fused
+/// multiply-add or without. The machine's estimates of 1 / x and 1 / sqrt(x) would not have them either.
 HWY_INLINE V mulAdd(V a, V b, V c) { return hn::Add(hn::Mul(a, b), c); }
 /// c - a b
 HWY_INLINE V mulSub(V a, V b, V c) { return hn::Sub(c, hn::Mul(a, b)); }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "palpate/device/back_ends.h"
+#include "palpate/device/calibration.h"
 #include "palpate/device/detail/driver_link.h"
 #include "palpate/device/device_frame.h"
 #include "palpate/device/hardware/shared_library.h"
