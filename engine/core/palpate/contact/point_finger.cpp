@@ -27,14 +27,6 @@ namespace {
 /// Sheets that one tick can land on one after the other, each left at once. Beyond it the last contact is kept: safe.
 constexpr int kMaxSheets = 8;
 
-void land(const tree::Crossing& crossing, FingerState& state) {
-  state.touching = true;
-  state.slipping = false;
-  state.proxy = {crossing.point, crossing.triangle, tree::Feature::face};
-  state.anchor = state.proxy;
-  state.hold = crossing.point;  // what the tip slides further within this tick is friction already
-}
-
 /// Whether a point at `offset` from a place on a face or an edge lies behind the planes of its triangles, and so behind
 /// every normal between theirs: what nearly every tick asks, without a root. False also where that is not known.
 bool isBehindTriangles(const Surface& surface, const SurfacePoint& place, const Vec3& offset) {
@@ -111,8 +103,7 @@ bool landsFromAir(const Surface& surface, const Vec3& tip, FingerState& state) {
   const bool cracked = !surface.geometry->cracked.empty();
   const std::optional<SurfacePoint> rim = cracked ? findCrossedRim(surface, state.tip, tip, entry) : std::nullopt;
   if (!rim && entry.triangle == kNoIndex) return false;
-  land(rim ? tree::Crossing{rim->position, 0.0, rim->triangle} : entry, state);
-  if (rim) state.proxy.feature = state.anchor.feature = rim->feature;
+  land(rim ? *rim : placeOf(entry), state);
   return true;
 }
 
@@ -122,7 +113,7 @@ bool landOnNextSheet(const Surface& surface, const Vec3& tip, FingerState& state
   const auto next = firstFrontCrossingIf(surface.geometry->tree, left.position, tip,
                                          [&](Index triangle) { return !hasFeatureAt(surface, triangle, left); });
   state.touching = next.triangle != kNoIndex;
-  if (state.touching) land(next, state);
+  if (state.touching) land(placeOf(next), state);
   return state.touching;
 }
 

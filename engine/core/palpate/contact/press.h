@@ -35,6 +35,19 @@ inline double directionlessDepth(const Surface& surface) { return 1e-11 * surfac
 /// would start its next segment behind it and fall through without an event.
 inline double releaseSlack(const Surface& surface) { return 1e-12 * surface.geometry->tree.diagonal; }
 
+/// A finger lands at a place: what it slides further within this tick is friction already.
+inline void land(const SurfacePoint& at, FingerState& state) {
+  state.touching = true;
+  state.slipping = false;
+  state.proxy = state.anchor = at;
+  state.hold = at.position;
+}
+
+/// Where a way passes the skin, as a place of it.
+inline SurfacePoint placeOf(const tree::Crossing& crossing) {
+  return {crossing.point, crossing.triangle, tree::Feature::face};
+}
+
 /// Whether the tip is in front of the skin's tangent plane at `place`, by more than rounding.
 bool inFrontOf(const Surface& surface, const SurfacePoint& place, const Vec3& tip) noexcept;
 

@@ -20,7 +20,7 @@
 // force shading, and for two terms as for one.
 //
 // Sampled, s counts as constant over a tick, which makes the step exact and stable at any rate: an x_i goes part of the
-// way to s and never beyond. What sampling a spring gives away is the observer's affair (servo/limiter.h), as ever.
+// way to s and never beyond. What sampling a spring gives away is the observer's affair (servo/passivity.h), as ever.
 //
 // Moving contacts: the memory goes with the finger while it presses, though fresh skin would push a little harder.
 // Forgetting it there would raise the force without work. A place stiffer or of another thickness changes k and h,

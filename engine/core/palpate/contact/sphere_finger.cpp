@@ -82,12 +82,9 @@ Vec3 advance(const Surface& surface, const Vec3& from, const Vec3& to, double ra
 }
 
 void beginContact(const Vec3& centre, const SurfacePoint& foot, FingerState& state) {
-  state.touching = true;
-  state.slipping = false;
+  land(foot, state);
   state.fits = false;  // to be seen
   state.centre = centre;
-  state.proxy = state.anchor = foot;
-  state.hold = foot.position;
 }
 
 /// Decides whether a free sphere touches in this tick: when its centre's way crosses the skin, or when it overlaps the

@@ -85,28 +85,23 @@ class EdgeDistances {
 
   void enqueue(Index vertex) noexcept {
     is_beyond_[blockOf(vertex)] &= ~bitOf(vertex);
-    if ((waits_[blockOf(vertex)] & bitOf(vertex)) != 0) return;
-    waits_[blockOf(vertex)] |= bitOf(vertex);
-    queue_[tail_++ & (queue_.size() - 1)] = vertex;
+    if (insertNew(vertex, waits_)) queue_[tail_++ & (queue_.size() - 1)] = vertex;
   }
 
   void postpone(Index vertex) noexcept {
-    if ((is_beyond_[blockOf(vertex)] & bitOf(vertex)) != 0) return;
-    is_beyond_[blockOf(vertex)] |= bitOf(vertex);
-    beyond_.push_back(vertex);
+    if (insertNew(vertex, is_beyond_)) beyond_.push_back(vertex);
   }
 
   /// Takes up the vertices within the next belt. False if none are left.
   bool nextBelt() noexcept {
-    const auto is_beyond = [&](Index v) { return (is_beyond_[blockOf(v)] & bitOf(v)) != 0; };
     float nearest = kUnreached;
     for (const Index v : beyond_) {
-      if (is_beyond(v)) nearest = std::min(nearest, distance_[v]);
+      if (isIn(v, is_beyond_)) nearest = std::min(nearest, distance_[v]);
     }
     belt_end_mm_ = nearest + belt_mm_;
     std::size_t kept = 0;
     for (const Index v : beyond_) {
-      if (!is_beyond(v)) continue;  // taken up meanwhile
+      if (!isIn(v, is_beyond_)) continue;  // taken up meanwhile
       if (distance_[v] <= belt_end_mm_) {
         enqueue(v);
       } else {

@@ -85,10 +85,7 @@ void IncrementalNormals::place(const Skin& skin, Index vertex, const Vec3f& posi
   if (positions_[vertex] == position) return;
   positions_[vertex] = position;
   for (const Index t : skin.triangles_of_vertex[vertex]) {
-    std::uint64_t& listed = is_listed_[blockOf(t)];
-    if ((listed & bitOf(t)) != 0) continue;
-    listed |= bitOf(t);
-    changed_.push_back(t);
+    if (insertNew(t, is_listed_)) changed_.push_back(t);
   }
 }
 

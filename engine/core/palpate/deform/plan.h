@@ -24,7 +24,29 @@ struct Plan {
   using Frame = typename Displacement::Frame;
   using Mover = typename Displacement::Mover;
 
-  Plan(const Skin& skin, std::size_t most_contacts);
+  /// For `n` contacts at most.
+  Plan(const Skin& skin, std::size_t n)
+      : press_coupling(n * n),
+        drag_coupling(n * n),
+        depths_mm(n),
+        drags_mm(n, Vec3::Zero()),
+        amplitudes_mm(n),
+        shifts_mm(n, Vec3::Zero()),
+        first_entry(skin.blocks, kNoIndex),
+        moved(skin.blocks),
+        area(std::size_t{skin.blocks} * kBlockVertices),
+        affected(skin.blocks) {
+    frames.reserve(n);
+    parts.reserve(n * skin.blocks);
+    first_part.reserve(n + 1);
+    edges.reserve(n * skin.blocks);
+    doubtful.reserve(skin.blocks);
+    first_edge.reserve(n + 1);
+    pulls.reserve(n);
+    movers.reserve(n);
+    entries.reserve(n * skin.blocks);
+    on_block.reserve(n);
+  }
 
   /// The entries of a block, from the last contact to the first.
   template <class Visit>
@@ -60,29 +82,5 @@ struct Plan {
   std::vector<Pull> pulls;               ///< the contacts that move something
   BlockSet affected;  ///< these, and where normals or strain come from neighbours the adjacent blocks
 };
-
-template <class Displacement>
-Plan<Displacement>::Plan(const Skin& skin, std::size_t n)
-    : press_coupling(n * n),
-      drag_coupling(n * n),
-      depths_mm(n),
-      drags_mm(n, Vec3::Zero()),
-      amplitudes_mm(n),
-      shifts_mm(n, Vec3::Zero()),
-      first_entry(skin.blocks, kNoIndex),
-      moved(skin.blocks),
-      area(std::size_t{skin.blocks} * kBlockVertices),
-      affected(skin.blocks) {
-  frames.reserve(n);
-  parts.reserve(n * skin.blocks);
-  first_part.reserve(n + 1);
-  edges.reserve(n * skin.blocks);
-  doubtful.reserve(skin.blocks);
-  first_edge.reserve(n + 1);
-  pulls.reserve(n);
-  movers.reserve(n);
-  entries.reserve(n * skin.blocks);
-  on_block.reserve(n);
-}
 
 }  // namespace palpate::deform

@@ -70,16 +70,13 @@ class RegionByRings {
   std::span<const BlockPart> edges() const noexcept { return edges_; }
 
   /// True if the last search found this vertex inside.
-  bool reached(Index vertex) const noexcept { return (inside_[blockOf(vertex)] & bitOf(vertex)) != 0; }
+  bool reached(Index vertex) const noexcept { return isIn(vertex, inside_); }
   /// Vertices that the last search looked at.
   Index visited() const noexcept { return static_cast<Index>(order_.size()); }
 
  private:
   void see(Index vertex) noexcept {
-    std::uint64_t& seen = seen_[blockOf(vertex)];
-    if ((seen & bitOf(vertex)) != 0) return;
-    seen |= bitOf(vertex);
-    order_.push_back(vertex);
+    if (insertNew(vertex, seen_)) order_.push_back(vertex);
   }
 
   void seeNeighbours(const Skin& skin, Index vertex) noexcept {

@@ -42,14 +42,6 @@ Vec3 vectorAt(const DeformedBlock& surface, int first, Index v) noexcept {
 
 Vec3 displacementAt(const DeformedBlock& surface, Index v) noexcept { return vectorAt(surface, 6, v); }
 
-/// Whether a thing is not yet in a set of bits, in which it is then.
-bool isNew(Index thing, std::vector<std::uint64_t>& bits) noexcept {
-  std::uint64_t& word = bits[blockOf(thing)];
-  if ((word & bitOf(thing)) != 0) return false;
-  word |= bitOf(thing);
-  return true;
-}
-
 /// The share of the least root of a + b s + c s^2 in (0, 1]; 1 without a root. `a` is positive.
 double leastRoot(double a, double b, double c) noexcept {
   const double root2 = b * b - 4.0 * a * c;
@@ -207,8 +199,7 @@ void ShearLimit::measureAlongSurface(const Pull& pull) noexcept {
     from_anchor_.seed(corner, static_cast<float>((skin_.restPosition(corner).cast<double>() - pull.anchor).norm()));
   }
   const double reach = kRoundabout * std::max(pull.press_reach_mm, pull.drag_reach_mm);
-  from_anchor_.spread(skin_, static_cast<float>(reach),
-                      [&](Index v, float) { return (region_[blockOf(v)] & bitOf(v)) != 0; });
+  from_anchor_.spread(skin_, static_cast<float>(reach), [&](Index v, float) { return isIn(v, region_); });
   for (const BlockPart& part : pull.region) region_[part.block] = 0;
 }
 
@@ -256,11 +247,11 @@ void ShearLimit::holdWithin(Index vertex, float room_mm, const DeformedBlock& su
 }
 
 void ShearLimit::noteHeld(Index vertex) noexcept {
-  if (isNew(vertex, is_held_)) held_.push_back(vertex);
+  if (insertNew(vertex, is_held_)) held_.push_back(vertex);
 }
 
 void ShearLimit::notePinning(Index vertex) noexcept {
-  if (isNew(vertex, is_pinning_)) pinning_.push_back(vertex);
+  if (insertNew(vertex, is_pinning_)) pinning_.push_back(vertex);
 }
 
 /// Leaves a vertex that share of its displacement.
@@ -285,7 +276,7 @@ void ShearLimit::unfold(const DeformedBlock& surface, std::span<const BlockPart>
 /// Lists the folded triangles. False if not all fit.
 bool ShearLimit::findFolds(const DeformedBlock& surface, std::span<const BlockPart> doubtful) noexcept {
   for (const BlockPart& part : doubtful) doubts_[part.block] = part.vertices & regions_[part.block];
-  const auto is_looked_at = [&](Index v) { return (doubts_[blockOf(v)] & bitOf(v)) != 0; };
+  const auto is_looked_at = [&](Index v) { return isIn(v, doubts_); };
   for (const BlockPart& part : doubtful) {
     forEachBit(doubts_[part.block], [&](Index bit) {
       const Index v = part.block * kBlockVertices + bit;
@@ -314,7 +305,7 @@ void ShearLimit::listIfFolded(Index triangle, const DeformedBlock& surface) noex
 }
 
 void ShearLimit::listFold(Index triangle) noexcept {
-  if (isNew(triangle, is_listed_)) folds_.push_back(triangle);
+  if (insertNew(triangle, is_listed_)) folds_.push_back(triangle);
 }
 
 /// Triangle after triangle until none is folded. False if that does not come to an end.

@@ -80,7 +80,7 @@ class ShearLimit {
   /// The contacts that taper and unfold are about; their spans must stay.
   void setPulls(std::span<const Pull> pulls) noexcept;
   /// True if one of the pulls moves it.
-  bool moves(Index vertex) const noexcept { return (regions_[blockOf(vertex)] & bitOf(vertex)) != 0; }
+  bool moves(Index vertex) const noexcept { return isIn(vertex, regions_); }
 
   /// Largest motion of a vertex per mm of surface between it and skin that stays. Below 0.7 a wall of right-angled
   /// triangles cannot turn over; half of that again is room for the widest angles of scanned skin.

@@ -201,11 +201,7 @@ bool enters(const contact::Surface& surface, HdbCandidates& candidates, const Ve
   const auto& near = candidates.near(Box3(from.cwiseMin(tip), from.cwiseMax(tip)));
   const Crossing entry = firstFrontCrossingAmong(surface.geometry->tree, near, from, tip);
   if (entry.triangle == kNoIndex) return false;
-  state.touching = true;
-  state.slipping = false;
-  state.proxy = {entry.point, entry.triangle, tree::Feature::face};
-  state.anchor = state.proxy;
-  state.hold = entry.point;  // sliding further within this tick is friction already
+  contact::land(contact::placeOf(entry), state);
   state.centre = from;
   return true;
 }

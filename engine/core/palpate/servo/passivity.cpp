@@ -1,5 +1,5 @@
 // Observer, then controller. The work of the model is the trapezoid of two ticks (exact for springs), the work of the
-// device is that of the held, delayed, clamped force. Based on: see limiter.h.
+// device is that of the held, delayed, clamped force. Based on: see passivity.h.
 #include "palpate/servo/passivity.h"
 
 #include <algorithm>

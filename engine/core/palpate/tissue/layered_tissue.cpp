@@ -10,6 +10,7 @@
 #include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/tissue/layered_library.h"
+#include "palpate/tissue/neighbours.h"
 
 namespace palpate::tissue {
 
@@ -28,11 +29,8 @@ constexpr int kFitSamples = 160;
 constexpr double kClosestToBone = 0.1;
 
 double interpolated(std::span<const double> x, std::span<const double> y, double at) {
-  if (at <= x.front()) return y.front();
-  if (at >= x.back()) return y.back();
-  const auto above = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
-  const double share = (at - x[above - 1]) / (x[above] - x[above - 1]);
-  return y[above - 1] + share * (y[above] - y[above - 1]);
+  const Neighbours place = findNeighbours(x, at);
+  return y[place.below] + place.share * (y[place.above] - y[place.below]);
 }
 
 /// Where the last of the shapes moves nothing any more.
@@ -114,24 +112,8 @@ DragCurve blended(const DragCurve& a, const DragCurve& b, double share) noexcept
           mix(a.tenth_q, b.tenth_q)};
 }
 
-/// A place between two stored depths.
-struct DepthPlace {
-  std::size_t below = 0;
-  std::size_t above = 0;
-  double share = 0.0;
-};
-
-DepthPlace depthPlace(std::span<const double> depths, double depth_mm) noexcept {
-  if (!(depth_mm > depths.front())) return {};
-  const std::size_t last = depths.size() - 1;
-  if (depth_mm >= depths[last]) return {last, last, 0.0};
-  const auto above =
-      static_cast<std::size_t>(std::upper_bound(depths.begin(), depths.end(), depth_mm) - depths.begin());
-  return {above - 1, above, (depth_mm - depths[above - 1]) / (depths[above] - depths[above - 1])};
-}
-
 PressCurves pressOf(const LayeredNode& node, double depth_mm) noexcept {
-  const DepthPlace at = depthPlace(node.depths_mm, depth_mm);
+  const Neighbours at = findNeighbours(node.depths_mm, depth_mm);
   return blended(node.presses[at.below], node.presses[at.above], at.share);
 }
 
@@ -143,7 +125,7 @@ double secantOn(std::span<const double> depths, std::span<const double> secants,
   const double first_depth = depths.front();
   if (depth_mm <= first_depth) return secants.front() * depth_mm / first_depth;
   if (depth_mm <= depths[last]) {
-    const DepthPlace at = depthPlace(depths, depth_mm);
+    const Neighbours at = findNeighbours(depths, depth_mm);
     return secants[at.below] + at.share * (secants[at.above] - secants[at.below]);
   }
   const double end = depths[last];
@@ -169,10 +151,6 @@ double geometric(double a, double b, double share) noexcept {
   if (!(a > 0.0) || !(b > 0.0)) return a + share * (b - a);
   return elementary::exp(elementary::log(a) + share * (elementary::log(b) - elementary::log(a)));
 }
-
-}  // namespace
-
-namespace {
 
 /// Between nodes of the same radii; otherwise those of the first.
 std::vector<FingerSecants> blendedFingers(const LayeredNode& a, const LayeredNode& b, double share,
@@ -203,6 +181,18 @@ void soften(double most_n_per_mm, const std::vector<double>& depths, std::vector
 }
 
 }  // namespace
+
+Neighbours findNeighbours(std::span<const double> values, double at, bool logarithmic) noexcept {
+  if (!(at > values.front())) return {};
+  const std::size_t last = values.size() - 1;
+  if (at >= values[last]) return {last, last, 0.0};
+  const auto above = static_cast<std::size_t>(std::upper_bound(values.begin(), values.end(), at) - values.begin());
+  const double from = values[above - 1];
+  const double to = values[above];
+  const double share =
+      logarithmic ? elementary::log(at / from) / elementary::log(to / from) : (at - from) / (to - from);
+  return {above - 1, above, share};
+}
 
 std::vector<FingerSecants> fingersOf(const std::vector<FingerForces>& solved, double indenter_radius_mm,
                                      const LayeredNode& node) {

@@ -12,6 +12,7 @@
 #include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/tissue/layered_library.h"
+#include "palpate/tissue/neighbours.h"
 
 namespace palpate::tissue {
 
@@ -81,25 +82,6 @@ std::vector<LibraryStack> decodedStacks() {
   return stacks;
 }
 
-/// Neighbours among increasing values and the share of the upper; ends hold.
-struct Neighbours {
-  std::size_t below = 0;
-  std::size_t above = 0;
-  double share = 0.0;
-};
-
-Neighbours findNeighbours(std::span<const double> values, double at, bool logarithmic) {
-  if (!(at > values.front())) return {};
-  const std::size_t last = values.size() - 1;
-  if (at >= values[last]) return {last, last, 0.0};
-  const auto above = static_cast<std::size_t>(std::upper_bound(values.begin(), values.end(), at) - values.begin());
-  const double from = values[above - 1];
-  const double to = values[above];
-  const double share =
-      logarithmic ? elementary::log(at / from) / elementary::log(to / from) : (at - from) / (to - from);
-  return {above - 1, above, share};
-}
-
 }  // namespace
 
 LayerStack placeStack(double thickness_mm, double fat_mm) {
@@ -113,7 +95,7 @@ std::vector<WeightedField> libraryFieldsAt(double thickness_mm, double fat_mm) {
   std::vector<WeightedField> fields;
   const auto add = [&](std::size_t thickness, double weight) {
     const double fat = libraryFatShare(libraryThicknesses()[thickness], fat_mm);
-    const Neighbours fatty = findNeighbours(shares, fat, false);
+    const Neighbours fatty = findNeighbours(shares, fat);
     for (const auto& [i, share] : {std::pair{fatty.below, 1.0 - fatty.share}, std::pair{fatty.above, fatty.share}}) {
       const LibraryStack& one = stacks[thickness * shares.size() + i];
       if (weight * share > 0.0) fields.push_back({&one.stack, &one.field, weight * share});

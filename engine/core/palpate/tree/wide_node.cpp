@@ -45,16 +45,9 @@ HWY_INLINE hn::Vec<D> dot(const Vector<D>& a, const Vector<D>& b) {
   return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
 }
 
-template <class D>
-HWY_INLINE hn::Vec<D> fromBytes(D d, const std::int8_t* bytes) {
-  const hn::Rebind<std::int8_t, D> bytes_tag;
-  const hn::RebindToSigned<D> wide_tag;
-  return hn::ConvertTo(d, hn::PromoteTo(wide_tag, hn::LoadU(bytes_tag, bytes)));
-}
-
-template <class D>
-HWY_INLINE hn::Vec<D> fromBytes(D d, const std::uint8_t* bytes) {
-  const hn::Rebind<std::uint8_t, D> bytes_tag;
+template <class D, class Byte>
+HWY_INLINE hn::Vec<D> fromBytes(D d, const Byte* bytes) {
+  const hn::Rebind<Byte, D> bytes_tag;
   const hn::RebindToSigned<D> wide_tag;
   return hn::ConvertTo(d, hn::PromoteTo(wide_tag, hn::LoadU(bytes_tag, bytes)));
 }

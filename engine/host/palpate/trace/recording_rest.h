@@ -2,9 +2,9 @@
 // while remembers nothing that later ticks could feel, so from there a recording can be felt again without what was
 // before.
 //
-// The longest memory is the ring of forces that the passivity observer keeps (servo/limiter.h, 16 ticks); the
+// The longest memory is the ring of forces that the passivity observer keeps (servo/passivity.h, 16 ticks); the
 // motion of two ticks before decides about a soft toe. Skin that relaxes remembers for as long as its dent is there
-// (contact/felt_force.h). Only the warning "too stiff" looks further back: it counts a
+// (contact/relaxation.h). Only the warning "too stiff" looks further back: it counts a
 // second of contact (servo/limiter.h), and changes no force.
 #pragma once
 

@@ -21,6 +21,17 @@ inline constexpr Index blockOf(Index vertex) { return vertex / kBlockVertices; }
 inline constexpr std::uint64_t bitOf(Index vertex) { return std::uint64_t{1} << (vertex % kBlockVertices); }
 inline constexpr Index blocksFor(Index vertices) { return (vertices + kBlockVertices - 1) / kBlockVertices; }
 
+/// Whether a thing is in a set of one bit a thing.
+inline bool isIn(Index thing, const std::vector<std::uint64_t>& bits) {
+  return (bits[blockOf(thing)] & bitOf(thing)) != 0;
+}
+/// Puts it there. True if it was not.
+inline bool insertNew(Index thing, std::vector<std::uint64_t>& bits) {
+  if (isIn(thing, bits)) return false;
+  bits[blockOf(thing)] |= bitOf(thing);
+  return true;
+}
+
 /// A block and which of its vertices are meant.
 struct BlockPart {
   Index block;
@@ -95,7 +106,7 @@ class BlockSet {
 
   void clear() { words_.assign(words_.size(), 0); }
   void insert(Index block) { words_[blockOf(block)] |= bitOf(block); }
-  bool contains(Index block) const { return (words_[blockOf(block)] & bitOf(block)) != 0; }
+  bool contains(Index block) const { return isIn(block, words_); }
 
   /// Visits the blocks of those tiles that `in_tile(tile)` is true of, ascending.
   template <class InTile, class Visit>
