@@ -93,7 +93,6 @@ class SimulatedHand {
   const Vec3& place() const noexcept { return device_.place; }
   const Vec3& velocity() const noexcept { return device_.velocity; }
   const Vec3& motorForce() const noexcept { return motor_; }
-  double timeS() const noexcept { return static_cast<double>(step_) * step_s_; }
   PortEnergy energy() const noexcept;
 
  private:
