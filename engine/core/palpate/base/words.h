@@ -1,12 +1,10 @@
 // The names of an enumeration's values as users write them: one table per type, from which scene files, commands,
 // panels and writers all read.
 //
-// A module that names the values of a type specialises WordsOf for it (scene/words.h, scene/view_settings.h):
+// A module that names the values of a type has a wordTable for it in the namespace palpate (scene/words.h,
+// scene/view_settings.h):
 //
-//   template <>
-//   struct WordsOf<Shading> {
-//     static constexpr std::array kAll = {Word{"gouraud", Shading::gouraud}, Word{"skin", Shading::skin}};
-//   };
+//   constexpr auto wordTable(Named<Shading>) { return wordsUpTo(Shading::skin, {"gouraud", "skin"}); }
 #pragma once
 
 #include <array>
@@ -26,10 +24,26 @@ struct Word {
 template <class Value>
 Word(const char*, Value) -> Word<Value>;
 
-/// `kAll` has each value once, in the order of menus and documents. `kFormer`, if any, has names of earlier versions:
-/// they are still read, but never listed or written.
+/// The enumeration that a wordTable is of.
 template <class Value>
-struct WordsOf;
+struct Named {};
+
+/// A table in the order of the values from 0 to `last`. It does not compile where a value has no name; two that change
+/// places in the enumeration must change places here.
+template <class Value, std::size_t count>
+consteval std::array<Word<Value>, count> wordsUpTo(Value last, const std::string_view (&names)[count]) {
+  std::array<Word<Value>, count> words{};
+  for (std::size_t i = 0; i < count; ++i) words[i] = {names[i], static_cast<Value>(i)};
+  if (words.back().value != last) throw "a value without a name";
+  return words;
+}
+
+/// `kAll` has each value once, in the order of menus and documents. A specialisation may have a `kFormer`: names of
+/// earlier versions, which are still read, but never listed or written.
+template <class Value>
+struct WordsOf {
+  static constexpr auto kAll = wordTable(Named<Value>{});
+};
 
 /// Empty for a value without a name.
 template <class Value>

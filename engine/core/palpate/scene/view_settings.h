@@ -108,55 +108,25 @@ struct ViewSettings {
 
 namespace palpate {
 
-template <>
-struct WordsOf<scene::StandardView> {
-  using V = scene::StandardView;
-  static constexpr std::array kAll = {Word{"back", V::back},   Word{"left", V::left},   Word{"right", V::right},
-                                      Word{"above", V::above}, Word{"front", V::front}, Word{"table", V::table},
-                                      Word{"below", V::below}};
-};
+constexpr auto wordTable(Named<scene::StandardView>) {
+  return wordsUpTo(scene::StandardView::below, {"back", "left", "right", "above", "front", "table", "below"});
+}
 
-template <>
-struct WordsOf<scene::Shading> {
-  using V = scene::Shading;
-  static constexpr std::array kAll = {Word{"gouraud", V::gouraud}, Word{"skin", V::skin}};
-};
+constexpr auto wordTable(Named<scene::Shading>) { return wordsUpTo(scene::Shading::skin, {"gouraud", "skin"}); }
 
-template <>
-struct WordsOf<scene::Colouring> {
-  using V = scene::Colouring;
-  static constexpr std::array kAll = {Word{"plain", V::plain}, Word{"strain", V::strain},
-                                      Word{"stiffness", V::stiffness}, Word{"ellipses", V::ellipses},
-                                      Word{"scalar", V::scalar}};
-};
+constexpr auto wordTable(Named<scene::Colouring>) {
+  return wordsUpTo(scene::Colouring::scalar, {"plain", "strain", "stiffness", "ellipses", "scalar"});
+}
 
-template <>
-struct WordsOf<ColourMap> {
-  using V = ColourMap;
-  static constexpr std::array kAll = {Word{"viridis", V::viridis}, Word{"cividis", V::cividis},
-                                      Word{"cool-warm", V::cool_warm}, Word{"cyclic", V::cyclic}};
-};
+constexpr auto wordTable(Named<ColourMap>) {
+  return wordsUpTo(ColourMap::cyclic, {"viridis", "cividis", "cool-warm", "cyclic"});
+}
 
-template <>
-struct WordsOf<scene::Overlay> {
-  using V = scene::Overlay;
-  static constexpr std::array kAll = {Word{"wireframe", V::wireframe},
-                                      Word{"triangles", V::haptic_triangles},
-                                      Word{"leaves", V::leaf_boxes},
-                                      Word{"planes", V::planes},
-                                      Word{"box", V::detecting_box},
-                                      Word{"ellipses", V::ellipses},
-                                      Word{"rings", V::rings},
-                                      Word{"arrows", V::arrows},
-                                      Word{"contact", V::contact},
-                                      Word{"normals", V::normals},
-                                      Word{"section", V::section},
-                                      Word{"names", V::names},
-                                      Word{"pressure", V::pressure},
-                                      Word{"lumps", V::lumps},
-                                      Word{"cut", V::cut},
-                                      Word{"muscles", V::muscles}};
-};
+constexpr auto wordTable(Named<scene::Overlay>) {
+  return wordsUpTo(scene::Overlay::muscles,
+                   {"wireframe", "triangles", "leaves", "planes", "box", "ellipses", "rings", "arrows", "contact",
+                    "normals", "section", "names", "pressure", "lumps", "cut", "muscles"});
+}
 
 template <>
 struct WordsOf<scene::FingerShape> {
@@ -166,22 +136,10 @@ struct WordsOf<scene::FingerShape> {
   static constexpr std::array kFormer = {Word{"sphere", V::ball}};
 };
 
-template <>
-struct WordsOf<scene::StereoMode> {
-  using V = scene::StereoMode;
-  static constexpr std::array kAll = {
-      Word{"mono", V::mono},
-      Word{"sbs-half", V::sbs_half},
-      Word{"sbs-full", V::sbs_full},
-      Word{"sbs-cross", V::sbs_cross},
-      Word{"tb-half", V::tb_half},
-      Word{"tb-full", V::tb_full},
-      Word{"anaglyph-grey", V::anaglyph_grey},
-      Word{"anaglyph-dubois", V::anaglyph_dubois},
-      Word{"anaglyph-half", V::anaglyph_half},
-      Word{"interlaced", V::interlaced},
-      Word{"quad-buffer", V::quad_buffer},
-  };
-};
+constexpr auto wordTable(Named<scene::StereoMode>) {
+  return wordsUpTo(scene::StereoMode::quad_buffer,
+                   {"mono", "sbs-half", "sbs-full", "sbs-cross", "tb-half", "tb-full", "anaglyph-grey",
+                    "anaglyph-dubois", "anaglyph-half", "interlaced", "quad-buffer"});
+}
 
 }  // namespace palpate
