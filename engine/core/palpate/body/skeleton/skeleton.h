@@ -15,7 +15,7 @@ inline constexpr std::size_t kSkeletonBoneCount = 74;
 
 struct SkeletonSettings {
   std::size_t triangles = 24000;  ///< all bones together, exact; even; at least kFewestSkeletonTriangles
-  double cell_mm = 0.0;           ///< all bones together, exact; even; at least kFewestSkeletonTriangles
+  double cell_mm = 0.0;           ///< grid of the mesher before the reduction; 0: fits the triangles
 };
 
 /// Fewest triangles of all bones together that still read as bones.
