@@ -3,6 +3,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/body/drawn_bones.h"
+#include "palpate/body/tetrahedra_mesher.h"
 
 namespace palpate::body {
 namespace {
@@ -19,12 +20,10 @@ Vec3 placed(const Vec3& p, const BonesSettings& settings) {
   return settings.stature_mm / kTableStatureMm * (settings.warp ? settings.warp(p) : p);
 }
 
-Vec3 mirrorToLeft(const Vec3& right) { return {-right.x(), right.y(), right.z()}; }
-
 void addScapulaLandmarks(std::vector<Landmark>& landmarks, const std::string& bone, const ScapulaPoints& points,
                          bool left) {
   const auto add = [&](const char* name, const Vec3& p) {
-    landmarks.push_back({bone + "_" + name, bone, left ? mirrorToLeft(p) : p});
+    landmarks.push_back({bone + "_" + name, bone, left ? mirrored(p) : p});
   };
   add("superior_angle", points.superior_angle);
   add("spine_root", points.spine_root);
@@ -56,7 +55,7 @@ std::vector<Landmark> boneLandmarks(const BonesSettings& settings) {
     for (int rib = 1; rib <= kRibCount; ++rib) {
       const std::string bone = "rib_" + std::to_string(rib) + (left ? "_left" : "_right");
       const Vec3 angle = rightRibAngle(rib, ribRows()[rib - 1]);
-      landmarks.push_back({bone + "_angle", bone, left ? mirrorToLeft(angle) : angle});
+      landmarks.push_back({bone + "_angle", bone, left ? mirrored(angle) : angle});
     }
   }
   addScapulaLandmarks(landmarks, "scapula_right", rightScapulaPoints(), false);

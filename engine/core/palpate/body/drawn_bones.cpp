@@ -67,8 +67,7 @@ mesh::TriangleMesh drawn(const BonePlan& plan, std::size_t triangles, double cel
     throw Error("bones: too many triangles for this grid cell; use fewer, or a smaller cell");
   shape = mesh::decimate(std::move(shape), wanted, options);
   if (plan.midline) shape = withMirrorImage(std::move(shape));
-  for (Vec3& p : shape.positions) p = plan.frame * p;
-  return shape;
+  return inFrame(plan.frame, std::move(shape));
 }
 
 // Every second plan by another thread: neighbours in the list cost about the same.

@@ -46,7 +46,6 @@ const std::vector<Vec3> kThumb = {{-20, 20, -8}, {-44, 56, -14}, {-60, 86, -17},
 const std::array<double, 4> kThumbRadii = {15.0, 11.8, 10.4, 8.8};
 
 Vec3 mix3(const Vec3& from, const Vec3& to, double t) { return from + t * (to - from); }
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
 // The joints of a finger from knuckle to tip.
 std::vector<Vec3> jointsOf(const FingerRow& finger) {
@@ -87,50 +86,52 @@ struct Pad {
   }
 };
 
-struct HandParts {
-  std::vector<Phalanges> fingers;
+// A palm and its four fingers.
+struct Palm {
+  Pad middle, thenar, hypothenar;
   std::vector<EllipticCapsule> metacarpals;
-  Phalanges thumb{kThumb, kThumbRadii};
-  Pad palm{{2, 56, -2.5}, {36, 52, 14.5}, 0};
-  Pad thenar{{-26, 40, -15}, {15, 30, 13}, 28};
-  Pad hypothenar{{22, 36, -12}, {13, 34, 12}, -14};
-  EllipticCapsule wrist{{0, -60, -1}, {0, 16, -2}, Vec3::UnitX(), {28.5, 20}, {25, 14}};
+  std::vector<Phalanges> fingers;
 
-  HandParts() {
-    for (std::size_t i = 0; i < kFingers.size(); ++i) {
-      fingers.emplace_back(jointsOf(kFingers[i]), kFingers[i].radii);
-      metacarpals.emplace_back(kMetacarpalRoots[i], kFingers[i].knuckle, Vec3::UnitZ(), HalfAxes{10.5, 11.0},
-                               HalfAxes{13.0, 12.0});
+  Palm(const std::array<Pad, 3>& pads, const std::array<FingerRow, 4>& rows, HalfAxes root, HalfAxes knuckle)
+      : middle(pads[0]), thenar(pads[1]), hypothenar(pads[2]) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      metacarpals.emplace_back(kMetacarpalRoots[i], rows[i].knuckle, Vec3::UnitZ(), root, knuckle);
+      fingers.emplace_back(jointsOf(rows[i]), rows[i].radii);
     }
   }
 
-  double palmDistance(const Vec3& p) const {
-    double d = palm.distance(p);
+  // Without the fingers.
+  double distance(const Vec3& p) const {
+    double d = middle.distance(p);
     for (const EllipticCapsule& metacarpal : metacarpals) d = smoothUnion(d, metacarpal.distance(p), 13.0);
     d = smoothUnion(d, thenar.distance(p), 13.0);
-    d = smoothUnion(d, hypothenar.distance(p), 13.0);
-    return smoothUnion(d, wrist.distance(p), 18.0);
+    return smoothUnion(d, hypothenar.distance(p), 13.0);
   }
+};
+
+struct HandParts {
+  Palm palm{
+      {{{{2, 56, -2.5}, {36, 52, 14.5}, 0}, {{-26, 40, -15}, {15, 30, 13}, 28}, {{22, 36, -12}, {13, 34, 12}, -14}}},
+      kFingers,
+      {10.5, 11.0},
+      {13.0, 12.0}};
+  Phalanges thumb{kThumb, kThumbRadii};
+  EllipticCapsule wrist{{0, -60, -1}, {0, 16, -2}, Vec3::UnitX(), {28.5, 20}, {25, 14}};
 
   double distance(const Vec3& p) const {
-    double d = palmDistance(p);
-    for (std::size_t i = 0; i < fingers.size(); ++i) {
-      d = smoothUnion(d, (p - kFingers[i].knuckle).norm() - 0.8 * kFingers[i].radii[0] * kSkinFactor, 5.0);
+    double d = smoothUnion(palm.distance(p), wrist.distance(p), 18.0);
+    for (const FingerRow& finger : kFingers) {
+      d = smoothUnion(d, (p - finger.knuckle).norm() - 0.8 * finger.radii[0] * kSkinFactor, 5.0);
     }
-    d = smoothUnion(d, nearestDistance(fingers, p), 5.0);
+    d = smoothUnion(d, nearestDistance(palm.fingers, p), 5.0);
     d = smoothUnion(d, thumb.distance(p), 9.0);
     return roundedIntersection(d, kWristCutY - p.y(), 3.0);
   }
 };
 
 mesh::TriangleMesh rightHand() {
-  const HandParts parts;
-  const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  MesherSettings box;
-  box.low = {-92.0, kWristCutY - 6.0, -92.0};
-  box.high = {66.0, 204.0, 34.0};
-  box.cell_mm = kCellMm;
-  return relaxedZeroSurface(field, box, kHandRelaxRounds);
+  const MesherSettings box{.low = {-92.0, kWristCutY - 6.0, -92.0}, .high = {66.0, 204.0, 34.0}, .cell_mm = kCellMm};
+  return relaxedSurface(HandParts(), box, kHandRelaxRounds);
 }
 
 // ---- the hand that palpates
@@ -197,23 +198,19 @@ Nail makeNail(const FingerEnd& end) {
 }
 
 struct PalpatingParts {
-  std::vector<Phalanges> fingers;
-  std::vector<EllipticCapsule> metacarpals;
+  Palm palm{
+      {{{{2, 56, -3}, {35, 50, 13.5}, 0}, {{-25, 38, -15}, {14, 29, 12.5}, 24}, {{22, 36, -12}, {13, 34, 12}, -14}}},
+      kPalpatingFingers,
+      {10.0, 10.5},
+      {12.4, 11.5}};
   std::vector<EllipticCapsule> pulps;
   std::vector<Capsule> tendons;
   Phalanges thumb{kPalpatingThumb, kPalpatingThumbRadii};
-  Pad palm{{2, 56, -3}, {35, 50, 13.5}, 0};
-  Pad thenar{{-25, 38, -15}, {14, 29, 12.5}, 24};
-  Pad hypothenar{{22, 36, -12}, {13, 34, 12}, -14};
   std::vector<EllipticCapsule> forearm;
   Vec3 end = kForearmMm * forearmDirection();
 
   PalpatingParts() {
-    for (std::size_t i = 0; i < kPalpatingFingers.size(); ++i) {
-      const FingerRow& finger = kPalpatingFingers[i];
-      fingers.emplace_back(jointsOf(finger), finger.radii);
-      metacarpals.emplace_back(kMetacarpalRoots[i], finger.knuckle, Vec3::UnitZ(), HalfAxes{10.0, 10.5},
-                               HalfAxes{12.4, 11.5});
+    for (const FingerRow& finger : kPalpatingFingers) {
       tendons.push_back({Vec3(0.3 * finger.knuckle.x(), 8.0, 13.0), finger.knuckle + Vec3(0, -6, 8.5), 2.6, 3.4});
     }
     for (const FingerEnd& finger_end : fingerEnds()) pulps.push_back(makePulp(finger_end));
@@ -230,9 +227,6 @@ struct PalpatingParts {
 
   double handDistance(const Vec3& p) const {
     double d = palm.distance(p);
-    for (const EllipticCapsule& metacarpal : metacarpals) d = smoothUnion(d, metacarpal.distance(p), 13.0);
-    d = smoothUnion(d, thenar.distance(p), 13.0);
-    d = smoothUnion(d, hypothenar.distance(p), 13.0);
     for (const EllipticCapsule& part : forearm) d = smoothUnion(d, part.distance(p), 16.0);
     // The head of the ulna, on the little finger's side of the back of the wrist.
     d = smoothUnion(d, (p - Vec3(19, -22, 15)).norm() - 9.0, 9.0);
@@ -240,7 +234,7 @@ struct PalpatingParts {
   }
 
   double fingerDistance(const Vec3& p) const {
-    double d = nearestDistance(fingers, p);
+    double d = nearestDistance(palm.fingers, p);
     for (const EllipticCapsule& pulp : pulps) d = smoothUnion(d, pulp.distance(p), 3.0);
     return d;
   }
@@ -257,13 +251,8 @@ struct PalpatingParts {
 };
 
 mesh::TriangleMesh palpatingShape() {
-  const PalpatingParts parts;
-  const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  MesherSettings box;
-  box.low = {-72.0, -270.0, -72.0};
-  box.high = {72.0, 204.0, 146.0};
-  box.cell_mm = kPalpatingCellMm;
-  return mesh::decimate(relaxedZeroSurface(field, box, kHandRelaxRounds), kPalpatingTriangles);
+  const MesherSettings box{.low = {-72.0, -270.0, -72.0}, .high = {72.0, 204.0, 146.0}, .cell_mm = kPalpatingCellMm};
+  return mesh::decimate(relaxedSurface(PalpatingParts(), box, kHandRelaxRounds), kPalpatingTriangles);
 }
 
 /// Places where skin is redder, and how far that reaches.
@@ -309,15 +298,13 @@ PalpatingHand rightPalpatingHand() {
   return hand;
 }
 
-Vec3 inMirror(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
-
 PalpatingHand mirroredHand(PalpatingHand hand) {
   hand.mesh = mirrored(std::move(hand.mesh));
   for (Nail& nail : hand.nails) {
-    nail = {inMirror(nail.centre), inMirror(nail.along), inMirror(nail.across), inMirror(nail.up)};
+    nail = {mirrored(nail.centre), mirrored(nail.along), mirrored(nail.across), mirrored(nail.up)};
   }
-  hand.pad = inMirror(hand.pad);
-  hand.pad_along = inMirror(hand.pad_along);
+  hand.pad = mirrored(hand.pad);
+  hand.pad_along = mirrored(hand.pad_along);
   return hand;
 }
 

@@ -15,6 +15,7 @@
 
 #include "palpate/base/elementary.h"
 #include "palpate/body/cubic_spline.h"
+#include "palpate/body/rotation.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/spine_line.h"
 #include "palpate/body/swept_ellipse.h"
@@ -135,7 +136,7 @@ std::vector<Station> ribStations(int number, const RibRow& row, double edge_mm) 
   for (std::size_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(count - 1);
     const SectionStop section = sectionAt(share);
-    const double roll = row.roll_deg * std::numbers::pi / 180.0 * smoothStep(kRollFrom, kRollUntil, share);
+    const double roll = radians(row.roll_deg) * smoothStep(kRollFrom, kRollUntil, share);
     const Vec3 along = (line[std::min(i + 1, count - 1)] - line[i > 0 ? i - 1 : 0]).normalized();
     const Vec3 from_cage = Vec3(line[i].x(), 0.0, line[i].z() - cage_centre_z).normalized();
     Vec3 outward = elementary::cos(roll) * from_cage + elementary::sin(roll) * Vec3::UnitY();

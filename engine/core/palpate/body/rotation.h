@@ -1,10 +1,15 @@
 // A turn about an axis with the same bits everywhere: Eigen's AngleAxis uses the C library's sine and cosine.
 #pragma once
 
+#include <numbers>
+
 #include "palpate/base/elementary.h"
 #include "palpate/base/vec.h"
 
 namespace palpate::body {
+
+/// Rounds the product first: times kRadPerDeg some angles differ in their last bit, and built-in bodies with them.
+inline double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
 /// Rodrigues' formula; `axis` is a unit vector, the turn right-handed.
 inline Mat3 rotationAbout(const Vec3& axis, double angle_rad) {

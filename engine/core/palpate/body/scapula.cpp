@@ -151,9 +151,7 @@ struct ScapulaParts {
 }  // namespace
 
 Eigen::Isometry3d scapulaFrame(const ScapulaPlace& place) {
-  const auto turn = [](double degrees, const Vec3& axis) {
-    return rotationAbout(axis, degrees * std::numbers::pi / 180.0);
-  };
+  const auto turn = [](double degrees, const Vec3& axis) { return rotationAbout(axis, radians(degrees)); };
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.translate(place.root);
   frame.rotate(turn(place.internal_deg, Vec3::UnitY()) * turn(place.upward_deg, Vec3::UnitZ()) *
@@ -162,16 +160,8 @@ Eigen::Isometry3d scapulaFrame(const ScapulaPlace& place) {
 }
 
 mesh::TriangleMesh makeRightScapula(double cell_mm, const ScapulaPlace& place) {
-  const ScapulaParts parts;
-  MesherSettings box;
-  box.low = {-6.0, -122.0, -46.0};
-  box.high = {140.0, 62.0, 44.0};
-  box.cell_mm = cell_mm;
-  const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  mesh::TriangleMesh mesh = relaxedZeroSurface(field, box, kScapulaRelaxRounds);
-  const Eigen::Isometry3d frame = scapulaFrame(place);
-  for (Vec3& p : mesh.positions) p = frame * p;
-  return mesh;
+  const MesherSettings box{.low = {-6.0, -122.0, -46.0}, .high = {140.0, 62.0, 44.0}, .cell_mm = cell_mm};
+  return inFrame(scapulaFrame(place), relaxedSurface(ScapulaParts(), box, kScapulaRelaxRounds));
 }
 
 ScapulaPoints rightScapulaPoints(const ScapulaPlace& place) {

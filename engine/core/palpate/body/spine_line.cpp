@@ -57,10 +57,9 @@ std::span<const VertebraRow, kVertebraCount> spineRows() { return kVertebraRows;
 
 Eigen::Isometry3d vertebraFrame(const VertebraRow& row) {
   // A positive pitch tips the upper side forwards (ventral, -z), a turn of -pitch about x.
-  const double pitch = -row.pitch_deg * std::numbers::pi / 180.0;
   Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
   frame.translate(Vec3(0.0, row.centre_y, row.centre_z));
-  frame.rotate(rotationAbout(Vec3::UnitX(), pitch));
+  frame.rotate(rotationAbout(Vec3::UnitX(), radians(-row.pitch_deg)));
   return frame;
 }
 

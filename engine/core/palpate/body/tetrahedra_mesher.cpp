@@ -271,8 +271,13 @@ mesh::TriangleMesh relaxedZeroSurface(const Field& field, const MesherSettings& 
   return mesh;
 }
 
+mesh::TriangleMesh inFrame(const Eigen::Isometry3d& frame, mesh::TriangleMesh mesh) {
+  for (Vec3& p : mesh.positions) p = frame * p;
+  return mesh;
+}
+
 mesh::TriangleMesh mirrored(mesh::TriangleMesh mesh) {
-  for (Vec3& p : mesh.positions) p.x() = -p.x();
+  for (Vec3& p : mesh.positions) p = mirrored(p);
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;
 }
@@ -284,7 +289,7 @@ mesh::TriangleMesh withMirrorImage(mesh::TriangleMesh half) {
   for (std::size_t v = 0; v < vertices; ++v) {
     const Vec3 p = half.positions[v];
     image[v] = p.x() == 0.0 ? static_cast<Index>(v) : static_cast<Index>(half.positions.size());
-    if (p.x() != 0.0) half.positions.emplace_back(-p.x(), p.y(), p.z());
+    if (p.x() != 0.0) half.positions.push_back(mirrored(p));
   }
   for (std::size_t t = 0; t < triangles; ++t) {
     const Triangle original = half.triangles[t];

@@ -34,6 +34,17 @@ void relaxOnSurface(mesh::TriangleMesh& mesh, const Field& field, int rounds);
 /// Both: the zero of the field, relaxed on it.
 mesh::TriangleMesh relaxedZeroSurface(const Field& field, const MesherSettings& settings, int rounds);
 
+/// The same of a shape that has a distance(point).
+template <class Shape>
+mesh::TriangleMesh relaxedSurface(const Shape& shape, const MesherSettings& settings, int rounds) {
+  return relaxedZeroSurface([&](const Vec3& p) { return shape.distance(p); }, settings, rounds);
+}
+
+/// The mesh with its points where the frame puts them.
+mesh::TriangleMesh inFrame(const Eigen::Isometry3d& frame, mesh::TriangleMesh mesh);
+
+/// The mirror image at x = 0.
+inline Vec3 mirrored(const Vec3& p) { return {-p.x(), p.y(), p.z()}; }
 /// The same mesh with x negated and the winding turned, so that it still faces outwards.
 mesh::TriangleMesh mirrored(mesh::TriangleMesh mesh);
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "palpate/base/elementary.h"
+#include "palpate/body/rotation.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/tetrahedra_mesher.h"
 
@@ -19,8 +20,6 @@ constexpr double kEndplateEdge = 2.5;    // mm, rounding of the rim of the endpl
 constexpr double kLaminaOverhang = 2.0;  // mm from the canal's wall to the middle of the lamina
 constexpr double kCanalLift = 0.5;       // mm by which the canal cuts into the body's dorsal wall
 constexpr double kMinTransverseRoot = 4.2;
-
-double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
 // Places on the neural arch that several parts share.
 struct Arch {
@@ -202,8 +201,7 @@ Vec3 spinousTip(const VertebraRow& row) {
 
 mesh::TriangleMesh makeVertebraHalf(const VertebraRow& row, double cell_mm) {
   const VertebraParts parts(row);
-  const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  return relaxedZeroSurface(field, parts.box(cell_mm), kVertebraRelaxRounds);
+  return relaxedSurface(parts, parts.box(cell_mm), kVertebraRelaxRounds);
 }
 
 }  // namespace palpate::body

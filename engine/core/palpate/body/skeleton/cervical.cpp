@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "palpate/base/elementary.h"
+#include "palpate/body/rotation.h"
 #include "palpate/body/signed_distance.h"
 #include "palpate/body/skeleton/skeleton_shapes.h"
 #include "palpate/body/tetrahedra_mesher.h"
@@ -29,12 +30,10 @@ constexpr double kForamenRadius = 2.6;         // mm, half the width of the tran
 constexpr double kBifidSpread = 4.2;           // mm from the midline to the middle of one end of a bifid process
 constexpr double kLaminaHalfThick = 2.4;
 
-double toRadians(double degrees) { return degrees * std::numbers::pi / 180.0; }
-
 bool bifid(const VertebraRow& row) { return row.name[1] != '7'; }
 
 Vec3 cervicalSpinousDirection(const VertebraRow& row) {
-  const double down = toRadians(row.spinous_down_deg);
+  const double down = radians(row.spinous_down_deg);
   return {0.0, -elementary::sin(down), elementary::cos(down)};
 }
 
@@ -83,7 +82,7 @@ struct CervicalParts {
   // Tip of the transverse process.
   Vec3 tip() const {
     const double x = row.transverse_span / 2 - row.transverse_radius;
-    return {x, -1.0, half_depth - 2.0 + elementary::tan(toRadians(row.transverse_back_deg)) * 0.5 * (x - half_width)};
+    return {x, -1.0, half_depth - 2.0 + elementary::tan(radians(row.transverse_back_deg)) * 0.5 * (x - half_width)};
   }
 
   static std::vector<FlatRing> laminaRings(const VertebraRow& r, double pillar_x, double pillar_z) {
@@ -134,8 +133,7 @@ std::span<const VertebraRow, kCervicalCount> cervicalRows() { return kCervicalRo
 
 mesh::TriangleMesh makeCervicalHalf(const VertebraRow& row, double cell_mm) {
   const CervicalParts parts(row);
-  const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  return relaxedZeroSurface(field, parts.box(cell_mm), kSkeletonRelaxRounds);
+  return relaxedSurface(parts, parts.box(cell_mm), kSkeletonRelaxRounds);
 }
 
 Vec3 cervicalSpinousTip(const VertebraRow& row) {

@@ -178,13 +178,8 @@ struct HipParts {
 }  // namespace
 
 mesh::TriangleMesh makeRightHip(double cell_mm) {
-  const HipParts parts;
-  MesherSettings box;
-  box.low = {-2.0, -470.0, -84.0};
-  box.high = {146.0, -226.0, 112.0};
-  box.cell_mm = cell_mm;
-  const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  return relaxedZeroSurface(field, box, kSkeletonRelaxRounds);
+  const MesherSettings box{.low = {-2.0, -470.0, -84.0}, .high = {146.0, -226.0, 112.0}, .cell_mm = cell_mm};
+  return relaxedSurface(HipParts(), box, kSkeletonRelaxRounds);
 }
 
 HipPoints rightHipPoints() {

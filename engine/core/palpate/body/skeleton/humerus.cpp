@@ -49,16 +49,8 @@ Vec3 rightAcromionTip() { return scapulaFrame(trunkScapulaPlace()) * Vec3(129.2,
 Vec3 rightHumeralHead() { return scapulaFrame(trunkScapulaPlace()) * kHeadInScapula; }
 
 mesh::TriangleMesh makeRightHumerus(double cell_mm) {
-  const HumerusParts parts;
-  MesherSettings box;
-  box.low = {-30.0, -kShaftEnd - 18.0, -32.0};
-  box.high = {36.0, 30.0, 34.0};
-  box.cell_mm = cell_mm;
-  const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  mesh::TriangleMesh mesh = relaxedZeroSurface(field, box, kSkeletonRelaxRounds);
-  const Eigen::Isometry3d placed = humerusFrame();
-  for (Vec3& p : mesh.positions) p = placed * p;
-  return mesh;
+  const MesherSettings box{.low = {-30.0, -kShaftEnd - 18.0, -32.0}, .high = {36.0, 30.0, 34.0}, .cell_mm = cell_mm};
+  return inFrame(humerusFrame(), relaxedSurface(HumerusParts(), box, kSkeletonRelaxRounds));
 }
 
 Vec3 rightGreaterTubercle() { return humerusFrame() * Vec3(26.5, -3.0, 4.0); }

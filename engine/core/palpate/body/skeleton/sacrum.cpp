@@ -65,7 +65,7 @@ Eigen::Isometry3d sacralFrame() {
   // The axis v of the table points down; here (x, -v, n) is right-handed, so y of the frame is -v.
   Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
   placed.translate(kOrigin);
-  placed.rotate(rotationAbout(Vec3::UnitX(), -kChordDeg * std::numbers::pi / 180.0));
+  placed.rotate(rotationAbout(Vec3::UnitX(), radians(-kChordDeg)));
   return placed;
 }
 
@@ -119,7 +119,7 @@ struct SacrumParts {
 
   double endplateDistance(const Vec3& p) const {
     // A short column, its top turned by the slope of the endplate.
-    const double turn = kEndplateDeg * std::numbers::pi / 180.0;
+    const double turn = radians(kEndplateDeg);
     const double up = elementary::cos(turn) * p.y() + elementary::sin(turn) * p.z();
     const double back = elementary::cos(turn) * p.z() - elementary::sin(turn) * p.y();
     const double side = superellipseDistance(p.x(), back, 24.5, 16.8, 2.4);
@@ -148,12 +148,8 @@ const SacrumParts& sacrumParts() {
 }  // namespace
 
 mesh::TriangleMesh makeSacrumHalf(double cell_mm) {
-  MesherSettings box;
-  box.low = {0.0, -146.0, -30.0};
-  box.high = {64.0, 24.0, 54.0};
-  box.cell_mm = cell_mm;
-  const Field field = [](const Vec3& p) { return sacrumParts().distance(p); };
-  mesh::TriangleMesh half = relaxedZeroSurface(field, box, kSkeletonRelaxRounds);
+  const MesherSettings box{.low = {0.0, -146.0, -30.0}, .high = {64.0, 24.0, 54.0}, .cell_mm = cell_mm};
+  mesh::TriangleMesh half = relaxedSurface(sacrumParts(), box, kSkeletonRelaxRounds);
   const Eigen::Isometry3d placed = sacralFrame();
   for (Vec3& p : half.positions) {
     const double x = p.x();  // the turn is about x: the border stays in the plane to the last bit

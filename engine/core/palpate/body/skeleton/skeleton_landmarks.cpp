@@ -1,6 +1,7 @@
 // The points of the skeleton that an examiner finds by touch, from the places that each shape names.
 #include "palpate/body/skeleton/skeleton.h"
 #include "palpate/body/skeleton/skeleton_shapes.h"
+#include "palpate/body/tetrahedra_mesher.h"
 
 namespace palpate::body {
 namespace {
@@ -11,7 +12,7 @@ class Pairs {
   explicit Pairs(std::vector<Landmark>& landmarks) : landmarks_(landmarks) {}
   void add(const std::string& name, const std::string& bone, const Vec3& right) {
     landmarks_.push_back({sided(name, "right"), sided(bone, "right"), right});
-    landmarks_.push_back({sided(name, "left"), sided(bone, "left"), Vec3(-right.x(), right.y(), right.z())});
+    landmarks_.push_back({sided(name, "left"), sided(bone, "left"), mirrored(right)});
   }
 
  private:

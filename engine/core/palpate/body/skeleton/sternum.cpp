@@ -97,13 +97,8 @@ Vec3 sternalNotch(int number) {
 }
 
 mesh::TriangleMesh makeSternumHalf(double cell_mm) {
-  const SternumParts parts;
-  MesherSettings box;
-  box.low = {0.0, -46.0, -104.0};
-  box.high = {36.0, 150.0, -14.0};
-  box.cell_mm = cell_mm;
-  const Field field = [&](const Vec3& p) { return parts.distance(p); };
-  return relaxedZeroSurface(field, box, kSkeletonRelaxRounds);
+  const MesherSettings box{.low = {0.0, -46.0, -104.0}, .high = {36.0, 150.0, -14.0}, .cell_mm = cell_mm};
+  return relaxedSurface(SternumParts(), box, kSkeletonRelaxRounds);
 }
 
 SternumPoints sternumPoints() {

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "palpate/body/tetrahedra_mesher.h"
+
 namespace palpate::body {
 
 namespace {
@@ -108,8 +110,6 @@ double foldAmount(Follows follows, const FoldAmounts& amounts) {
   if (follows == Follows::nothing) return 1;
   return follows == Follows::hips ? amounts.gluteal : amounts.belly;
 }
-
-Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
 }  // namespace
 
