@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "palpate/base/handover.h"
+#include "palpate/base/ring_buffer.h"
 #include "palpate/base/progress.h"
 #include "palpate/base/triple_buffer.h"
 #include "palpate/servo/histogram.h"

@@ -16,6 +16,7 @@
 
 #include "palpate/base/progress.h"
 #include "palpate/mesh/triangle_mesh.h"
+#include "palpate/trace/bounded_series.h"
 #include "palpate/trace/finger_course.h"
 #include "palpate/trace/recording_reader.h"
 #include "palpate/trace/sample.h"

@@ -2,14 +2,14 @@
 
 #include <thread>
 
-#include "palpate/base/handover.h"
+#include "palpate/base/ring_buffer.h"
 #include "palpate/base/triple_buffer.h"
 
 namespace palpate {
 namespace {
 
 /// A value whose parts must belong together: a torn read shows.
-struct Pair {
+struct TwoParts {
   std::uint64_t a = 0;
   std::uint64_t b = 0;
 };
@@ -30,13 +30,13 @@ TEST(TripleBuffer, ReaderSeesTheNewestAndKeepsItUntilAsked) {
 
 TEST(TripleBuffer, NeverTearsOrGoesBackwardsBetweenThreads) {
   constexpr std::uint64_t kLast = 50000;
-  TripleBuffer<Pair> buffer;
+  TripleBuffer<TwoParts> buffer;
   std::thread writer([&] {
     for (std::uint64_t i = 1; i <= kLast; ++i) buffer.publish({i, ~i});
   });
   std::uint64_t last = 0;
   while (last < kLast) {
-    const Pair seen = buffer.newest();
+    const TwoParts seen = buffer.newest();
     if (seen.a != 0) {
       ASSERT_EQ(seen.b, ~seen.a);
     }
@@ -61,11 +61,11 @@ TEST(RingBuffer, DropsAndCountsWhenFull) {
 
 TEST(RingBuffer, KeepsOrderBetweenThreads) {
   constexpr std::uint64_t kLast = 50000;
-  RingBuffer<Pair> ring(64);
+  RingBuffer<TwoParts> ring(64);
   std::thread producer([&] {
     for (std::uint64_t i = 1; i <= kLast;) i += ring.push({i, ~i}) ? 1 : 0;
   });
-  Pair value;
+  TwoParts value;
   for (std::uint64_t expected = 1; expected <= kLast;) {
     if (!ring.pop(value)) continue;
     ASSERT_EQ(value.a, expected);

@@ -1,4 +1,4 @@
-#include "palpate/trace/finger_course.h"
+#include "palpate/trace/bounded_series.h"
 
 #include <algorithm>
 #include <cmath>
