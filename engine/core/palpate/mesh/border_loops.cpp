@@ -88,10 +88,7 @@ class Pairing {
   Vec3 normalAt(const BorderVertex& at) const {
     Vec3 sum = Vec3::Zero();
     for (const auto& side : {at.arriving, at.leaving}) {
-      for (const Index h : side) {
-        const auto& [a, b, c] = mesh_.triangles[h / 3];
-        sum += areaVector2(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]);
-      }
+      for (const Index h : side) sum += areaVector2(mesh_, mesh_.triangles[h / 3]);
     }
     return sum.stableNormalized();
   }

@@ -11,15 +11,8 @@
 namespace palpate::mesh {
 
 std::string_view wordsFor(Closure closure) {
-  switch (closure) {
-    case Closure::closed:
-      return "closed";
-    case Closure::nearly_closed:
-      return "nearly closed";
-    case Closure::open:
-      break;
-  }
-  return "open";
+  if (closure == Closure::open) return "open";
+  return closure == Closure::closed ? "closed" : "nearly closed";
 }
 
 SurfaceState surfaceState(const TriangleMesh& mesh, const EdgeUses& edges, const Holes& holes) {
@@ -31,8 +24,7 @@ SurfaceState surfaceState(const TriangleMesh& mesh, const EdgeUses& edges, const
   std::vector<bool> on_border(mesh.positions.size(), false);
   std::size_t joined = 0;
   forEachEdge(edges, [&](Index low, Index high, std::span<const EdgeUse> uses) {
-    int balance = 0;
-    for (const EdgeUse& use : uses) balance += halfEdgeStart(mesh, use.half_edge) == low ? 1 : -1;
+    const int balance = edgeBalance(mesh, low, uses);
     if (balance != 0) {
       balanced = false;
       state.open_length_mm += std::abs(balance) * (mesh.positions[high] - mesh.positions[low]).norm();

@@ -298,11 +298,9 @@ class Decimator {
       visit(corner / 3, corner % 3);
   }
 
-  static bool uses(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
-
   Index sharedTriangles(Index a, Index b) const {
     Index count = 0;
-    forEachTriangleAt(a, [&](Index t, Index) { count += uses(triangles_[t], b) ? 1 : 0; });
+    forEachTriangleAt(a, [&](Index t, Index) { count += hasCorner(triangles_[t], b) ? 1 : 0; });
     return count;
   }
 
@@ -360,7 +358,7 @@ class Decimator {
     bool turned = false;
     forEachTriangleAt(v, [&](Index t, Index corner) {
       const Triangle& triangle = triangles_[t];
-      if (turned || uses(triangle, other)) return;
+      if (turned || hasCorner(triangle, other)) return;
       const Vec3& p = positions_[triangle[(corner + 1) % 3]];
       const Vec3& q = positions_[triangle[(corner + 2) % 3]];
       turned = spoils(areaVector2(positions_[v], p, q), areaVector2(point, p, q), around);
@@ -382,7 +380,7 @@ class Decimator {
     std::vector<Index>& gone = scratch_;
     gone.clear();
     forEachTriangleAt(b, [&](Index t, Index corner) {
-      if (uses(triangles_[t], a))
+      if (hasCorner(triangles_[t], a))
         gone.push_back(t);
       else
         triangles_[t][corner] = a;

@@ -21,8 +21,6 @@ Triangle sorted(Triangle t) {
   return t;
 }
 
-bool hasThreeVertices(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
-
 /// Triangles filed under their lowest vertex.
 IndexRows trianglesByLowestVertex(const TriangleMesh& mesh) {
   std::vector<Index> lowest;
@@ -227,7 +225,7 @@ std::vector<TwinGroup> twinGroups(const TriangleMesh& mesh) {
     if (rows[v].size() < 2) continue;
     row.clear();
     for (Index t : rows[v]) {
-      if (hasThreeVertices(mesh.triangles[t])) row.emplace_back(sorted(mesh.triangles[t]), t);
+      if (!hasRepeatedCorner(mesh.triangles[t])) row.emplace_back(sorted(mesh.triangles[t]), t);
     }
     std::sort(row.begin(), row.end());
     for (std::size_t i = 1; i < row.size(); ++i) {

@@ -109,9 +109,9 @@ class WallSearch {
     std::vector<Wall> walls;
     for (Index t = 0; t < mesh_.triangles.size(); ++t) {
       const Index own = parts_.of_triangle[t];
-      const auto [a, b, c] = named(t);
-      if (a == b || b == c || c == a) continue;
-      for (const VerticesByName::Entry& entry : namesakes_.of(a)) {
+      const Triangle names = named(t);
+      if (hasRepeatedCorner(names)) continue;
+      for (const VerticesByName::Entry& entry : namesakes_.of(names[0])) {
         const Index other = entry[1];
         if (other == own || !faces(t, other)) continue;
         walls.push_back({std::min(own, other), std::max(own, other), t});
@@ -137,8 +137,7 @@ class WallSearch {
       if (there == kNoIndex) return false;
       way += mesh_.positions[there] - mesh_.positions[v];
     }
-    const auto& [a, b, c] = mesh_.triangles[t];
-    return way.dot(areaVector2(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c])) >= 0.0;
+    return way.dot(areaVector2(mesh_, mesh_.triangles[t])) >= 0.0;
   }
 
   const TriangleMesh& mesh_;

@@ -65,9 +65,7 @@ class HoleSearch {
   std::size_t openEdges() const {
     std::size_t count = 0;
     forEachEdge(edges_, [&](Index low, Index, std::span<const EdgeUse> uses) {
-      int balance = 0;
-      for (const EdgeUse& use : uses) balance += halfEdgeStart(mesh_, use.half_edge) == low ? 1 : -1;
-      count += balance != 0 ? 1 : 0;
+      count += edgeBalance(mesh_, low, uses) != 0 ? 1 : 0;
     });
     return count;
   }
@@ -89,9 +87,8 @@ class HoleSearch {
     parts_.resize(part_of_.count);
     for (Index t = 0; t < mesh_.triangles.size(); ++t) {
       Part& part = parts_[part_of_.of_triangle[t]];
-      const auto& [a, b, c] = mesh_.triangles[t];
-      for (Index v : {a, b, c}) part.box.extend(mesh_.positions[v]);
-      part.area_mm2 += 0.5 * areaVector2(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]).norm();
+      for (Index v : mesh_.triangles[t]) part.box.extend(mesh_.positions[v]);
+      part.area_mm2 += 0.5 * areaVector2(mesh_, mesh_.triangles[t]).norm();
     }
     for (const Index h : borders.unclosed) parts_[part_of_.of_triangle[h / 3]].has_loose_border = true;
   }
@@ -189,9 +186,7 @@ class HoleSearch {
 
   bool isCrack(const Hole& hole) const { return hole.width_mm <= kCrackShare * parts_[hole.part].diagonal(); }
 
-  Vec3 triangleNormal(const Triangle& t) const {
-    return areaVector2(mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]).stableNormalized();
-  }
+  Vec3 triangleNormal(const Triangle& t) const { return areaVector2(mesh_, t).stableNormalized(); }
 
   void refuseFolds() {
     for (Hole& hole : found_.all) {

@@ -101,8 +101,6 @@ Meeting classifyMeeting(const Vec3& p, const Vec3& q, const std::array<const Vec
   return leavesPlane(p, q, t) ? Meeting::touches : Meeting::none;
 }
 
-bool uses(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
-
 /// True only where no edge of `t` can have its ends on both sides of the plane of `plane` for side(), except those with
 /// a vertex in common: one normal and three heights decide it for most pairs.
 bool onOneSide(const std::vector<Vec3>& positions, const Triangle& t, const Triangle& plane) {
@@ -114,7 +112,7 @@ bool onOneSide(const std::vector<Vec3>& positions, const Triangle& t, const Tria
   double high = -low;
   double longest = 0.0;
   for (const Index v : t) {
-    if (uses(plane, v)) continue;
+    if (hasCorner(plane, v)) continue;
     const Vec3 from_a = positions[v] - a;
     const double height = normal.dot(from_a);
     low = std::min(low, height);
@@ -225,7 +223,7 @@ class PairSearch {
     if (work_left_ == 0) return;
     work_left_ -= std::min(work_left_, kPairCost);
     const Triangle& ta = mesh_.triangles[a];
-    const auto shared = std::count_if(ta.begin(), ta.end(), [&](Index v) { return uses(mesh_.triangles[b], v); });
+    const auto shared = std::count_if(ta.begin(), ta.end(), [&](Index v) { return hasCorner(mesh_.triangles[b], v); });
     if (shared > 1) return;  // every edge of one has a vertex of the other
     if (!onOneSide(mesh_.positions, ta, mesh_.triangles[b])) testEdges(a, b);
     if (!onOneSide(mesh_.positions, mesh_.triangles[b], ta)) testEdges(b, a);
@@ -239,7 +237,7 @@ class PairSearch {
     for (std::size_t i = 0; i < 3; ++i) {
       const Index p = edges[i];
       const Index q = edges[(i + 1) % 3];
-      if (uses(target, p) || uses(target, q)) continue;
+      if (hasCorner(target, p) || hasCorner(target, q)) continue;
       const Meeting meeting = classifyMeeting(mesh_.positions[p], mesh_.positions[q], corners);
       if (meeting == Meeting::none) continue;
       crossings_.push_back({std::min(p, q), std::max(p, q), pierced, meeting == Meeting::touches});

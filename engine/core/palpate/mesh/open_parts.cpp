@@ -33,8 +33,7 @@ struct BorderEdge {
 std::vector<BorderEdge> borderEdges(const TriangleMesh& mesh, const EdgeUses& edges, const Components& parts) {
   std::vector<BorderEdge> border;
   forEachEdge(edges, [&](Index low, Index high, std::span<const EdgeUse> uses) {
-    int balance = 0;
-    for (const EdgeUse& use : uses) balance += halfEdgeStart(mesh, use.half_edge) == low ? 1 : -1;
+    int balance = edgeBalance(mesh, low, uses);
     const Index part = parts.of_triangle[uses[0].half_edge / 3];  // parts hang together across edges: one an edge
     for (; balance > 0; --balance) border.push_back({part, low, high});
     for (; balance < 0; ++balance) border.push_back({part, high, low});

@@ -28,6 +28,7 @@
 #include <numeric>
 
 #include "palpate/base/background.h"
+#include "palpate/mesh/weld.h"
 
 namespace palpate::mesh {
 
@@ -170,14 +171,6 @@ std::vector<Index> groupedVertices(const TriangleMesh& mesh) {
   return order;
 }
 
-template <class T>
-std::vector<T> inOrder(const std::vector<T>& values, const std::vector<Index>& order) {
-  std::vector<T> result;
-  result.reserve(order.size());
-  for (Index i : order) result.push_back(values[i]);
-  return result;
-}
-
 }  // namespace
 
 std::vector<Index> inCompactGroups(std::span<const Vec3> points, std::span<const Index> order) {
@@ -210,9 +203,9 @@ std::vector<Vec3> triangleCentres(const TriangleMesh& mesh) {
 Reordering reorderSpatially(TriangleMesh& mesh) {
   Reordering order;
   order.source_triangle = mortonOrder(triangleCentres(mesh));
-  mesh.triangles = inOrder(mesh.triangles, order.source_triangle);
+  mesh.triangles = picked(mesh.triangles, order.source_triangle);
   order.source_vertex = groupedVertices(mesh);
-  mesh.positions = inOrder(mesh.positions, order.source_vertex);
+  mesh.positions = picked(mesh.positions, order.source_vertex);
   std::vector<Index> new_index(mesh.positions.size());
   for (Index v = 0; v < new_index.size(); ++v) new_index[order.source_vertex[v]] = v;
   for (Triangle& triangle : mesh.triangles) {

@@ -170,9 +170,7 @@ class Repairing {
 
   void removeLeftovers() {
     const std::vector<Index> kept = removeUnusedVertices(result_.mesh);
-    std::vector<Index> source(kept.size());
-    std::transform(kept.begin(), kept.end(), source.begin(), [&](Index v) { return result_.source_vertex[v]; });
-    result_.source_vertex = std::move(source);
+    result_.source_vertex = picked(result_.source_vertex, kept);
   }
 
   void describeResult() {

@@ -24,8 +24,6 @@ double edgeLength(const TriangleMesh& mesh, const Triangle& t, std::size_t edge)
   return (mesh.positions[t[(edge + 1) % 3]] - mesh.positions[t[edge]]).norm();
 }
 
-bool hasRepeatedCorner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 std::size_t longestEdge(const TriangleMesh& mesh, const Triangle& t) {
   std::size_t longest = 0;
   for (std::size_t edge : {1u, 2u}) {
@@ -154,7 +152,7 @@ double sliverHeight(const TriangleMesh& mesh) {
 
 bool isSliver(const TriangleMesh& mesh, const Triangle& t, double height) {
   if (hasRepeatedCorner(t)) return true;
-  const double area2 = areaVector2(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]).norm();
+  const double area2 = areaVector2(mesh, t).norm();
   const double longest = std::max({edgeLength(mesh, t, 0), edgeLength(mesh, t, 1), edgeLength(mesh, t, 2)});
   return !(area2 > height * longest);
 }

@@ -55,6 +55,14 @@ struct EdgeUses {
 
 EdgeUses edgeUses(const TriangleMesh& mesh);
 
+/// How many more of an edge's triangles run along it from its vertex `low` on than to it: 0 where their directions
+/// cancel.
+inline int edgeBalance(const TriangleMesh& mesh, Index low, std::span<const EdgeUse> uses) {
+  int balance = 0;
+  for (const EdgeUse& use : uses) balance += halfEdgeStart(mesh, use.half_edge) == low ? 1 : -1;
+  return balance;
+}
+
 /// Calls visit(low, high, span of EdgeUse) for every undirected edge, in ascending order.
 template <class Visit>
 void forEachEdge(const EdgeUses& edges, const Visit& visit) {

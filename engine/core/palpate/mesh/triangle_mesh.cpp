@@ -19,19 +19,15 @@ void append(const TriangleMesh& more, TriangleMesh& to) {
 std::vector<Vec3> triangleNormals(const TriangleMesh& mesh) {
   std::vector<Vec3> normals;
   normals.reserve(mesh.triangles.size());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    normals.push_back(areaVector2(mesh.positions[a], mesh.positions[b], mesh.positions[c]).stableNormalized());
-  }
+  for (const Triangle& t : mesh.triangles) normals.push_back(areaVector2(mesh, t).stableNormalized());
   return normals;
 }
 
 std::vector<Vec3> vertexNormals(const TriangleMesh& mesh) {
   std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Vec3 area = areaVector2(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
-    normals[a] += area;
-    normals[b] += area;
-    normals[c] += area;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 area = areaVector2(mesh, t);
+    for (const Index v : t) normals[v] += area;
   }
   for (Vec3& normal : normals) normal.stableNormalize();
   return normals;

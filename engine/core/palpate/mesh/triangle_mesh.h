@@ -29,6 +29,16 @@ inline bool isUsable(const Vec3& position) { return (position.array().abs() <= k
 /// Twice the area vector of a triangle: its direction is the outward normal, its length twice the area (mm^2).
 inline Vec3 areaVector2(const Vec3& a, const Vec3& b, const Vec3& c) { return (b - a).cross(c - a); }
 
+inline Vec3 areaVector2(const TriangleMesh& mesh, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  return areaVector2(mesh.positions[a], mesh.positions[b], mesh.positions[c]);
+}
+
+/// Whether two of its corners are one vertex.
+inline bool hasRepeatedCorner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+/// Whether the vertex is one of its corners.
+inline bool hasCorner(const Triangle& t, Index v) { return t[0] == v || t[1] == v || t[2] == v; }
+
 /// The middle of a triangle.
 inline Vec3 centreOf(const TriangleMesh& mesh, const Triangle& triangle) {
   const auto& [a, b, c] = triangle;

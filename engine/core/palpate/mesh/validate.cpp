@@ -72,11 +72,10 @@ Sound soundPart(const TriangleMesh& mesh) {
 void checkShapes(const Sound& sound, ValidationReport& found) {
   const double height = sliverHeight(sound.mesh);
   for (Index t = 0; t < sound.original.size(); ++t) {
-    const auto& [a, b, c] = sound.mesh.triangles[t];
-    const auto& p = sound.mesh.positions;
-    if (isSliver(sound.mesh, sound.mesh.triangles[t], height)) found.zero_area_triangles.add(sound.original[t]);
-    found.area_mm2 += 0.5 * areaVector2(p[a], p[b], p[c]).norm();
-    for (Index v : {a, b, c}) found.box.extend(p[v]);
+    const Triangle& triangle = sound.mesh.triangles[t];
+    if (isSliver(sound.mesh, triangle, height)) found.zero_area_triangles.add(sound.original[t]);
+    found.area_mm2 += 0.5 * areaVector2(sound.mesh, triangle).norm();
+    for (Index v : triangle) found.box.extend(sound.mesh.positions[v]);
   }
 }
 
@@ -96,13 +95,6 @@ void checkTwins(const Sound& sound, ValidationReport& found) {
   }
 }
 
-/// Sums up the directions in which an edge's triangles run along it: 0 = as many this way as that way.
-int balance(const TriangleMesh& mesh, Index low, std::span<const EdgeUse> uses) {
-  int sum = 0;
-  for (const EdgeUse& use : uses) sum += halfEdgeStart(mesh, use.half_edge) == low ? 1 : -1;
-  return sum;
-}
-
 void addSorted(Trait& trait, std::vector<Index>& triangles) {
   std::sort(triangles.begin(), triangles.end());
   for (Index t : triangles) trait.add(t);
@@ -116,7 +108,7 @@ void checkEdges(const Sound& sound, const EdgeUses& edges, ValidationReport& fou
     const Index triangle = sound.original[uses[0].half_edge / 3];
     if (uses.size() == 1) at_border.push_back(triangle);
     if (uses.size() > 2) non_manifold.push_back(triangle);
-    if (uses.size() == 2 && balance(sound.mesh, low, uses) != 0) inconsistent.push_back(triangle);
+    if (uses.size() == 2 && edgeBalance(sound.mesh, low, uses) != 0) inconsistent.push_back(triangle);
   });
   addSorted(found.border_edges, at_border);
   addSorted(found.non_manifold_edges, non_manifold);

@@ -37,7 +37,14 @@ std::vector<Index> equalVertices(const std::vector<Vec3>& positions);
 /// The same for vertices nearer than `distance_mm` > 0 to an earlier one that stays: no vertex moves by more.
 std::vector<Index> nearVertices(const std::vector<Vec3>& positions, double distance_mm);
 
-// Renumbering of vertices: merging some into others, leaving out those that nothing uses.
+/// The value of each index in `from`: what belonged to the old vertex of each new one.
+template <class T>
+std::vector<T> picked(const std::vector<T>& values, const std::vector<Index>& from) {
+  std::vector<T> result;
+  result.reserve(from.size());
+  for (const Index i : from) result.push_back(values[i]);
+  return result;
+}
 
 /// Puts `same_as[v]` in the place of v in every triangle, then removes unused vertices. For each new vertex its old
 /// index is returned. Wrong indices (out of range) are left as they are.

@@ -164,12 +164,11 @@ class ClosedParts {
   /// Whether the whole mesh, as it is wound, has its outside in front of the unit and its inside behind: the wall of a
   /// hollow, even of one that several units enclose together (voxels that meet in edges).
   bool isSoundWall(Index unit) {
-    const Index t = triangles_[unit][0];
-    const auto& [a, b, c] = mesh_.triangles[t];
-    const Vec3 normal = areaVector2(mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]).stableNormalized();
+    const Triangle& t = mesh_.triangles[triangles_[unit][0]];
+    const Vec3 normal = areaVector2(mesh_, t).stableNormalized();
     const Vec3 off = kOffTheWall * boxes_[unit].diagonal().norm() * normal;
     work_left_ -= std::min(work_left_, 2 * mesh_.triangles.size());
-    const Vec3 centre = centreOf(mesh_, mesh_.triangles[t]);
+    const Vec3 centre = centreOf(mesh_, t);
     return std::abs(windingNumber(mesh_, triangles_.entries, centre + off)) < 0.25 &&
            windingNumber(mesh_, triangles_.entries, centre - off) > 0.75;
   }

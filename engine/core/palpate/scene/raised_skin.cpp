@@ -75,8 +75,7 @@ Vec3 meanNormal(const mesh::TriangleMesh& skin, const CapPlace& cap, double radi
 std::vector<std::uint8_t> facing(const mesh::TriangleMesh& skin, const Vec3& normal) {
   std::vector<Vec3> normals(skin.positions.size(), Vec3::Zero());
   for (const Triangle& triangle : skin.triangles) {
-    const Vec3 area =
-        mesh::areaVector2(skin.positions[triangle[0]], skin.positions[triangle[1]], skin.positions[triangle[2]]);
+    const Vec3 area = mesh::areaVector2(skin, triangle);
     for (const Index vertex : triangle) normals[vertex] += area;
   }
   std::vector<std::uint8_t> looks(normals.size());

@@ -125,11 +125,6 @@ std::optional<deform::Contact> contactAsFelt(const World& world, contact::Finger
   return withPlaceCurve(*world.place_curves, deform::formedRegions(*plain, forms), *contact);
 }
 
-Vec3 triangleNormal(const mesh::TriangleMesh& skin, Index triangle) noexcept {
-  const auto& [a, b, c] = skin.triangles[triangle];
-  return mesh::areaVector2(skin.positions[a], skin.positions[b], skin.positions[c]).normalized();
-}
-
 }  // namespace
 
 std::optional<deform::Contact> contactOf(const World& world, const contact::FingerOutput& finger) noexcept {
@@ -148,7 +143,7 @@ std::optional<deform::Contact> dentOf(const World& world, const contact::FingerO
   contact::FingerOutput left;
   left.tip = left.proxy = left.anchor = left.hold = dent.place;
   left.triangle = left.anchor_triangle = dent.triangle;
-  left.normal = triangleNormal(world.body->skin, dent.triangle);
+  left.normal = mesh::areaVector2(world.body->skin, world.body->skin.triangles[dent.triangle]).normalized();
   left.depth_mm = depthAtRest(world, dent.rest_mm, dent.triangle, finger.finger_mm);
   left.touch = contact::Touch::stick;
   return contactAsFelt(world, left);

@@ -60,8 +60,7 @@ std::vector<mesh::TextureCorners> backAndFront(const mesh::TriangleMesh& skin) {
   std::vector<mesh::TextureCorners> corners;
   corners.reserve(skin.triangles.size());
   for (const Triangle& t : skin.triangles) {
-    const auto& [a, b, c] = t;
-    const Vec3 normal = (skin.positions[b] - skin.positions[a]).cross(skin.positions[c] - skin.positions[a]);
+    const Vec3 normal = mesh::areaVector2(skin, t);
     mesh::TextureCorners& places = corners.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
       const Vec3 share = (skin.positions[t[i]] - box.min()).cwiseQuotient(box.sizes());

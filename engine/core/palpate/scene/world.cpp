@@ -76,8 +76,7 @@ void noteSteepMap(const mesh::TriangleMesh& skin, const SteepPlace& steep, doubl
   constexpr double kFeltStep = 0.3;  // N in a tick
   const double step_n = steep.n_per_mm_in_a_mm * kDepth * kSpeed * tick_s;
   if (step_n <= kFeltStep) return;
-  const std::array<Index, 3>& triangle = skin.triangles[steep.triangle];
-  const Vec3 place = (skin.positions[triangle[0]] + skin.positions[triangle[1]] + skin.positions[triangle[2]]) / 3.0;
+  const Vec3 place = mesh::centreOf(skin, skin.triangles[steep.triangle]);
   notes.push_back(
       fmt::format("the stiffness changes by {:.2g} N/mm within 1 mm at ({:.0f}, {:.0f}, {:.0f}) mm: a finger sliding "
                   "there, {} mm deep at {} mm/s, feels steps of {:.2g} N; spread the change over at least 5 mm",

@@ -280,8 +280,7 @@ ScanSamples sampleScan(const mesh::TriangleMesh& scan, std::size_t count) {
   const std::vector<Vec3> normals = mesh::vertexNormals(scan);
   std::vector<double> up_to;
   for (const Triangle& t : scan.triangles) {
-    const Vec3 area = mesh::areaVector2(scan.positions[t[0]], scan.positions[t[1]], scan.positions[t[2]]);
-    samples.area_mm2 += 0.5 * area.norm();
+    samples.area_mm2 += 0.5 * mesh::areaVector2(scan, t).norm();
     up_to.push_back(samples.area_mm2);
   }
   if (!(samples.area_mm2 > 0)) return samples;

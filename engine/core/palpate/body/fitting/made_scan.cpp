@@ -45,7 +45,7 @@ mesh::TriangleMesh makeScan() {
   mesh::TriangleMesh scan = std::move(skin.mesh);
   const Eigen::AlignedBox3d box = mesh::boundingBox(scan);
   std::erase_if(scan.triangles, [&](const Triangle& t) {
-    const Vec3 middle = (scan.positions[t[0]] + scan.positions[t[1]] + scan.positions[t[2]]) / 3.0;
+    const Vec3 middle = mesh::centreOf(scan, t);
     return inHole(middle) || beyondBorder(middle, box);
   });
   for (std::size_t v = 0; v < scan.positions.size(); ++v) {

@@ -192,10 +192,7 @@ class ChangingMesh {
     for (const Index v : corners) around_[v].push_back(t);
   }
 
-  bool has(Index t, Index v) const {
-    const Triangle& c = triangles_[t];
-    return c[0] == v || c[1] == v || c[2] == v;
-  }
+  bool has(Index t, Index v) const { return mesh::hasCorner(triangles_[t], v); }
   /// The triangle whose side goes from a to b.
   Index leftTriangle(Index a, Index b) const {
     for (const Index t : around_[a]) {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "palpate/base/error.h"
@@ -32,14 +34,10 @@ std::optional<Format> formatByContent(std::string_view bytes) {
 }
 
 std::optional<Format> formatByExtension(const std::filesystem::path& file) {
-  const std::string extension = lowerCaseExtension(file);
-  if (extension == ".obj") return Format::obj;
-  if (extension == ".stl") return Format::stl;
-  if (extension == ".ply") return Format::ply;
-  if (extension == ".off") return Format::off;
-  if (extension == ".gltf") return Format::gltf;
-  if (extension == ".glb") return Format::glb;
-  return std::nullopt;
+  constexpr std::array<std::string_view, 6> kExtensions = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
+  const auto* const found = std::ranges::find(kExtensions, lowerCaseExtension(file));
+  if (found == kExtensions.end()) return std::nullopt;
+  return static_cast<Format>(found - kExtensions.begin());  // in the order of Format
 }
 
 TriangleMesh read(const MeshFile& file, Format format, VertexChannels* channels) {

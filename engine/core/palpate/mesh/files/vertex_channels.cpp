@@ -1,18 +1,8 @@
 #include "palpate/mesh/files/vertex_channels.h"
 
+#include "palpate/mesh/weld.h"
+
 namespace palpate::mesh {
-
-namespace {
-
-template <class T>
-std::vector<T> picked(const std::vector<T>& values, const std::vector<Index>& from) {
-  std::vector<T> result;
-  result.reserve(from.size());
-  for (const Index v : from) result.push_back(values[v]);
-  return result;
-}
-
-}  // namespace
 
 VertexChannels followed(const VertexChannels& channels, const std::vector<Index>& source_vertex) {
   VertexChannels result;

@@ -39,20 +39,10 @@ constexpr std::size_t kAnySize = std::min<std::uint64_t>(kExactInADouble, std::n
 
 enum ComponentType : int { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
 
+/// 0 for a number that is no component type.
 std::size_t bytesOf(int component_type) {
-  switch (component_type) {
-    case kByte:
-    case kUnsignedByte:
-      return 1;
-    case kShort:
-    case kUnsignedShort:
-      return 2;
-    case kUnsignedInt:
-    case kFloat:
-      return 4;
-    default:
-      return 0;
-  }
+  constexpr std::array<std::size_t, 7> kBytes = {1, 1, 2, 2, 0, 4, 4};  // from kByte on
+  return component_type >= kByte && component_type <= kFloat ? kBytes[component_type - kByte] : 0;
 }
 
 /// -128 of a signed byte means -1 like -127 (section 3.6.2.2).
