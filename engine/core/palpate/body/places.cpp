@@ -100,9 +100,7 @@ Moved withoutDistances(const Words& words) {
 }
 
 const SkinLandmark* spinous(std::span<const SkinLandmark> landmarks, std::string_view level) {
-  const std::string name = "spinous_" + std::string(level);
-  const auto found = std::find_if(landmarks.begin(), landmarks.end(), [&](const auto& l) { return l.name == name; });
-  return found == landmarks.end() ? nullptr : &*found;
+  return findLandmark(landmarks, "spinous_" + std::string(level));
 }
 
 /// left site 1 is at the highest level.

@@ -111,11 +111,6 @@ void smoothLine(std::vector<Vec3>& line, int rounds) {
   }
 }
 
-double smoothStep(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3.0 - 2.0 * t);
-}
-
 SectionStop sectionAt(double share) {
   const auto next =
       std::find_if(kSection.begin(), kSection.end(), [&](const SectionStop& s) { return s.share > share; });

@@ -37,6 +37,12 @@ inline double roundedIntersection(double a, double b, double r) {
 
 inline double mix(double from, double to, double t) { return from + (to - from) * t; }
 
+/// 0 before `from`, 1 after `to`, with level ends.
+inline double smoothStep(double from, double to, double at) {
+  const double t = std::clamp((at - from) / (to - from), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
 /// Distance to an ellipsoid with half axes r about the origin, by the ratio of two norms.
 inline double ellipsoidDistance(const Vec3& p, const Vec3& r) {
   const Vec3 scaled = p.cwiseQuotient(r);

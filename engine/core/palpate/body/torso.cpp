@@ -54,12 +54,6 @@ std::vector<SkinLandmark> skinLandmarks(const SkinSurface& surface, const Shape&
   return landmarks;
 }
 
-void setDepths(Torso& body) {
-  BoneDepth depth = depthToBones(body.skin.mesh.positions, body.bones);
-  body.depth_mm = std::move(depth.depth_mm);
-  body.nearest_bone = std::move(depth.bone);
-}
-
 /// Without depths.
 Torso makeBody(const SkinSettings& skin, SkinExtent extent, std::size_t skin_triangles, std::size_t bone_triangles) {
   BonesSettings bones;  // at 1750 mm and symmetric: the relief is computed there, before both are shaped alike
@@ -111,10 +105,16 @@ void setInside(const mesh::TriangleMesh& skin, double scale, Torso& body) {
 
 }  // namespace
 
+void BonesUnderSkin::measureDepths(std::span<const Vec3> skin) {
+  BoneDepth depth = depthToBones(skin, bones);
+  depth_mm = std::move(depth.depth_mm);
+  nearest_bone = std::move(depth.bone);
+}
+
 Torso makeTorso(const TorsoSettings& settings) {
   const std::size_t bone_triangles = boneTriangles(settings);
   Torso torso = makeBody(settings.shape, SkinExtent::torso, settings.triangles - bone_triangles, bone_triangles);
-  setDepths(torso);
+  torso.measureDepths(torso.skin.mesh.positions);
   return torso;
 }
 
@@ -126,15 +126,13 @@ Torso makeBackOverBones(const BackSettings& settings) {
   Torso back = makeBody(settings.shape, SkinExtent::patch, settings.triangles, bone_triangles);
   removeBonesBelow(mesh::boundingBox(back.skin.mesh).min().y(), back);
   setInside(back.skin.mesh, settings.shape.stature_mm / 1750.0, back);
-  setDepths(back);
+  back.measureDepths(back.skin.mesh.positions);
   return back;
 }
 
 const SkinLandmark& landmark(const Torso& torso, std::string_view name) {
-  const auto found = std::find_if(torso.landmarks.begin(), torso.landmarks.end(),
-                                  [&](const SkinLandmark& candidate) { return candidate.name == name; });
-  if (found == torso.landmarks.end()) throw Error("the body has no landmark '" + std::string(name) + "'");
-  return *found;
+  if (const SkinLandmark* found = findLandmark(torso.landmarks, name)) return *found;
+  throw Error("the body has no landmark '" + std::string(name) + "'");
 }
 
 }  // namespace palpate::body

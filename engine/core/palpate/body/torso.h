@@ -1,7 +1,9 @@
 // The default body: the longer skin, down to the sacrum, over its bones; every skin vertex knows the bone below it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,12 +33,19 @@ struct SkinLandmark {
   Vec3 bone_position;  ///< the point of the bone itself, mm
 };
 
-struct Torso {
-  Skin skin;
-  std::vector<Bone> bones;          ///< 43 closed meshes in their place below the skin
+/// What lies under the skin of a body.
+struct BonesUnderSkin {
+  std::vector<Bone> bones;          ///< closed meshes in their place
   std::vector<double> depth_mm;     ///< a skin vertex each: distance to the nearest bone
   std::vector<Index> nearest_bone;  ///< a skin vertex each: index into `bones`
   std::vector<SkinLandmark> landmarks;
+
+  /// Fills in depth_mm and nearest_bone.
+  void measureDepths(std::span<const Vec3> skin);
+};
+
+struct Torso : BonesUnderSkin {  ///< 43 bones
+  Skin skin;
 };
 
 /// Builds the torso; one to two seconds on one core, nearly all of it for the bones. Throws Error on a wrong setting.
@@ -47,6 +56,11 @@ Torso makeTorso(const TorsoSettings& settings = {});
 /// As long as makeTorso. Throws Error on a wrong setting.
 Torso makeBackOverBones(const BackSettings& settings = {.triangles = kDissertationBackTriangles, .shape = {}});
 
+/// Null when there is none.
+inline const SkinLandmark* findLandmark(std::span<const SkinLandmark> landmarks, std::string_view name) {
+  const auto found = std::ranges::find(landmarks, name, &SkinLandmark::name);
+  return found == landmarks.end() ? nullptr : &*found;
+}
 /// The landmark of that name. Throws Error when there is none.
 const SkinLandmark& landmark(const Torso& torso, std::string_view name);
 

@@ -54,15 +54,7 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thi
                                       const Progress& progress) {
   report(progress, "building the contact surface", 0.0);
   const auto body = std::make_shared<Body>();
-  body->name = std::move(parts.name);
-  body->skin = std::move(parts.skin);
-  body->closed = parts.closed;
-  body->anatomy = std::move(parts.anatomy);
-  body->notes = std::move(parts.notes);
-  body->texture = std::move(parts.texture);
-  body->channels = std::move(parts.channels);
-  body->given_stiffness_n_per_mm = std::move(parts.given_stiffness_n_per_mm);
-  body->given_layers = std::move(parts.given_layers);
+  static_cast<BodyParts&>(*body) = std::move(parts);
   const mesh::TriangleMesh& skin = body->skin;
   // Built in parallel with the surface, which takes four times as long; cancelled if the surface fails.
   std::atomic<bool> given_up{false};
@@ -72,7 +64,7 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thi
     });
   });
   try {
-    body->geometry = contact::buildGeometry(skin, parts.self_intersecting, [&](std::string_view stage, double done) {
+    body->geometry = contact::buildGeometry(skin, body->self_intersecting, [&](std::string_view stage, double done) {
       report(progress, stage, kSurfaceShare * done);
     });
   } catch (...) {

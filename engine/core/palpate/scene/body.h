@@ -17,12 +17,8 @@
 namespace palpate::scene {
 
 /// Describes what lies under the skin of a built-in body; empty for a mesh.
-struct Anatomy {
-  std::vector<body::Bone> bones;
-  std::vector<double> depth_mm;       ///< a skin vertex each: to the nearest bone
-  std::vector<Index> nearest_bone;    ///< a skin vertex each: index into `bones`
-  std::vector<float> bone_radius_mm;  ///< a skin vertex each (beneath/tissue_beneath.h); empty: all bone is wide
-  std::vector<body::SkinLandmark> landmarks;
+struct Anatomy : body::BonesUnderSkin {
+  std::vector<float> bone_radius_mm;     ///< a skin vertex each (beneath/tissue_beneath.h); empty: all bone is wide
   std::optional<body::Support> support;  ///< what the body lies or sits on
 };
 
@@ -36,21 +32,27 @@ struct PlaneBlocks {
   std::vector<Eigen::AlignedBox2d> boxes;
 };
 
-struct Body {
+/// What a body is made of: the first half of building a world.
+struct BodyParts {
   std::string name;         ///< for reports: "torso" or the file's name
   mesh::TriangleMesh skin;  ///< fit for contact, spatially ordered; triangle numbers everywhere are its own
   bool closed = false;      ///< the skin has no border
+  bool self_intersecting = false;
+  Anatomy anatomy;
+  std::vector<std::string> notes;                          ///< what the user should know: repairs, a doubtful unit
+  std::shared_ptr<const SkinTexture> texture;              ///< a picture on the skin (skin_texture.h), or null
+  std::shared_ptr<const SkinChannels> channels = nullptr;  ///< of the body's file (skin_channels.h), or null
+  /// The body's own stiffness, one per skin vertex, before dysfunctions; empty: the scene's applies.
+  std::vector<double> given_stiffness_n_per_mm = {};
+  /// Layered tissue in place of the library's and the scene's table; or null.
+  std::shared_ptr<const tissue::LayeredTissue> given_layers = nullptr;
+};
+
+struct Body : BodyParts {
   std::shared_ptr<const contact::SurfaceGeometry> geometry;
   std::shared_ptr<const contact::SkinPlanes> planes;  ///< of the geometry; null for more than contact::kMostPlanes
   deform::Skin deformable;                   ///< as the settings that it was built for want it (World::deformable)
   std::optional<double> thickness_limit_mm;  ///< up to which its parts were measured; nothing: they were not
-  Anatomy anatomy;
-  std::vector<std::string> notes;                ///< what the user should know about it: repairs, a doubtful unit
-  std::shared_ptr<const SkinTexture> texture;    ///< a picture on the skin (skin_texture.h), or null
-  std::shared_ptr<const SkinChannels> channels;  ///< of the body's file (skin_channels.h), or null
-  /// The body's own stiffness, one per skin vertex, before dysfunctions; empty: the scene's applies.
-  std::vector<double> given_stiffness_n_per_mm;
-  std::shared_ptr<const tissue::LayeredTissue> given_layers;  ///< of the body itself (BodyParts), or null
   Eigen::AlignedBox3d box;
   PlaneBlocks vertex_blocks, triangle_blocks;
   /// A skin vertex each, 1: it looks to the front, where the map plane, seen from behind, says nothing. Empty where the
@@ -61,7 +63,6 @@ struct Body {
 /// How thick the body is under each vertex of its skin, mm, up to the limit: infinite beyond it.
 std::vector<float> thicknessOf(const Body& body, double limit_mm);
 
-struct BodyParts;
 /// `thickness_limit_mm`: up to which the parts of the deformable skin are measured (tree/triangle_tree.h), or nothing.
 /// Throws Error for a mesh that cannot be felt.
 std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thickness_limit_mm,

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/body/fitting/body_fit.h"
@@ -14,85 +16,57 @@
 #include "palpate/mesh/reorder.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
+#include "palpate/mesh/weld.h"
 #include "palpate/scene/beneath/tissue_beneath.h"
 #include "palpate/scene/ready_body.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/scene/skin_texture.h"
+#include "palpate/scene/words.h"
 
 namespace palpate::scene {
 
 namespace {
 
-template <class T>
-std::vector<T> permuted(const std::vector<T>& values, const std::vector<Index>& source) {
-  std::vector<T> result(source.size());
-  for (std::size_t i = 0; i < source.size(); ++i) result[i] = values[source[i]];
-  return result;
-}
-
-/// Anatomy of a torso or a trunk, with vertices in the order of `source`.
-template <class Body>
-Anatomy makeAnatomy(Body body, const std::vector<Index>& source) {
-  return {.bones = std::move(body.bones),
-          .depth_mm = permuted(body.depth_mm, source),
-          .nearest_bone = permuted(body.nearest_bone, source),
-          .bone_radius_mm = {},
-          .landmarks = std::move(body.landmarks),
-          .support = std::nullopt};
-}
-
 /// Takes over a generated body, with its skin in an order that keeps neighbours close in memory.
-template <class Made>
-BodyParts makeBodyParts(std::string name, mesh::TriangleMesh& skin, Made& made) {
+BodyParts makeBodyParts(std::string name, mesh::TriangleMesh& skin, body::BonesUnderSkin& under) {
   BodyParts parts;
   parts.name = std::move(name);
   parts.skin = std::move(skin);
   const auto order = mesh::reorderSpatially(parts.skin);
-  parts.anatomy = makeAnatomy(std::move(made), order.source_vertex);
-  parts.anatomy.bone_radius_mm = boneRadii(parts.skin, parts.anatomy.depth_mm, parts.anatomy.bones);
+  Anatomy& anatomy = parts.anatomy;
+  static_cast<body::BonesUnderSkin&>(anatomy) = std::move(under);
+  anatomy.depth_mm = mesh::picked(anatomy.depth_mm, order.source_vertex);
+  anatomy.nearest_bone = mesh::picked(anatomy.nearest_bone, order.source_vertex);
+  anatomy.bone_radius_mm = boneRadii(parts.skin, anatomy.depth_mm, anatomy.bones);
   return parts;
 }
 
-BodyParts makeTorsoParts(const BodySettings& body, const Progress& progress) {
-  report(progress, "building the torso", 0.0);
-  body::TorsoSettings settings;
-  if (body.triangles != 0) settings.triangles = body.triangles;
-  settings.bone_triangles = body.bone_triangles;
-  settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
-  body::Torso torso = body::makeTorso(settings);
-  return makeBodyParts(fmt::format("built-in torso, {} triangles with bones", settings.triangles), torso.skin.mesh,
-                       torso);
-}
-
-BodyParts makeBackParts(const BodySettings& body, const Progress& progress) {
-  report(progress, "building the back", 0.0);
-  body::BackSettings settings;
-  settings.triangles = body.triangles != 0 ? body.triangles : body::kDissertationBackTriangles;
-  settings.shape = {body.shape.stature_mm, body.shape.relief, body.shape.asymmetry};
-  body::Torso back = body::makeBackOverBones(settings);
-  return makeBodyParts(fmt::format("built-in back, {} triangles over {} bones", settings.triangles, back.bones.size()),
-                       back.skin.mesh, back);
-}
-
-BodyParts makeTrunkParts(const BodySettings& body, const Progress& progress) {
-  report(progress, "building the trunk", 0.0);
-  body::TrunkSettings settings;
-  if (body.triangles != 0) settings.triangles = body.triangles;
-  settings.bone_triangles = body.bone_triangles;
-  settings.shape = body.shape;
-  body::Trunk trunk = body::makeTrunk(settings);
-  const std::optional<body::Support> support = trunk.support;
+BodyParts makeTrunkParts(const BodySettings& settings) {
+  body::TrunkSettings wanted{.bone_triangles = settings.bone_triangles, .shape = settings.shape};
+  if (settings.triangles != 0) wanted.triangles = settings.triangles;
+  body::Trunk trunk = body::makeTrunk(wanted);
   BodyParts parts =
-      makeBodyParts(fmt::format("built-in trunk, {} triangles with bones", settings.triangles), trunk.skin, trunk);
+      makeBodyParts(fmt::format("built-in trunk, {} triangles with bones", wanted.triangles), trunk.skin, trunk);
   parts.closed = true;
-  parts.anatomy.support = support;
+  parts.anatomy.support = trunk.support;
   return parts;
 }
 
 BodyParts makeBuiltInParts(const BodySettings& settings, const Progress& progress) {
-  if (settings.kind == BodyKind::torso) return makeTorsoParts(settings, progress);
-  if (settings.kind == BodyKind::back) return makeBackParts(settings, progress);
-  return makeTrunkParts(settings, progress);
+  report(progress, fmt::format("building the {}", wordFor(settings.kind)), 0.0);
+  if (settings.kind == BodyKind::trunk) return makeTrunkParts(settings);
+  const body::SkinSettings shape{settings.shape.stature_mm, settings.shape.relief, settings.shape.asymmetry};
+  if (settings.kind == BodyKind::torso) {
+    body::TorsoSettings wanted{.bone_triangles = settings.bone_triangles, .shape = shape};
+    if (settings.triangles != 0) wanted.triangles = settings.triangles;
+    body::Torso torso = body::makeTorso(wanted);
+    return makeBodyParts(fmt::format("built-in torso, {} triangles with bones", wanted.triangles), torso.skin.mesh,
+                         torso);
+  }
+  const std::size_t triangles = settings.triangles != 0 ? settings.triangles : body::kDissertationBackTriangles;
+  body::Torso back = body::makeBackOverBones({triangles, shape});
+  return makeBodyParts(fmt::format("built-in back, {} triangles over {} bones", triangles, back.bones.size()),
+                       back.skin.mesh, back);
 }
 
 /// As an earlier run has left it in the store, or made now and left there.
@@ -131,14 +105,9 @@ Anatomy fittedAnatomy(const std::filesystem::path& file, const mesh::TriangleMes
   report(progress, "building the fitted bones", 0.0);
   const body::BodyFit fit = body::fitFromJson(readFile(file, body::kLongestFitFile), file.string());
   try {
-    body::FittedBody fitted = body::fittedBody(body::TemplateBody(), fit, skin);
-    std::vector<float> bone_radius_mm = boneRadii(skin, fitted.depth_mm, fitted.bones);
-    return {.bones = std::move(fitted.bones),
-            .depth_mm = std::move(fitted.depth_mm),
-            .nearest_bone = std::move(fitted.nearest_bone),
-            .bone_radius_mm = std::move(bone_radius_mm),
-            .landmarks = std::move(fitted.landmarks),
-            .support = std::nullopt};
+    Anatomy anatomy{body::fittedBody(body::TemplateBody(), fit, skin), {}, {}};
+    anatomy.bone_radius_mm = boneRadii(skin, anatomy.depth_mm, anatomy.bones);
+    return anatomy;
   } catch (const Error& error) {
     throw Error::inFile(file.string(), error.what());
   }
@@ -185,7 +154,7 @@ BodyParts mendedBody(mesh::TriangleMesh mesh, std::string name, const Progress& 
   }
   parts.notes.insert(parts.notes.end(), repaired.warnings.begin(), repaired.warnings.end());
   report(progress, "ordering the triangles", 0.0);
-  source_vertex = permuted(repaired.source_vertex, mesh::reorderSpatially(parts.skin).source_vertex);
+  source_vertex = mesh::picked(repaired.source_vertex, mesh::reorderSpatially(parts.skin).source_vertex);
   parts.self_intersecting = mesh::isSelfIntersecting(mesh::findIntersections(parts.skin, progress));
   if (parts.self_intersecting)
     parts.notes.emplace_back("the surface intersects itself; at those places a point finger acts as a tiny sphere");
@@ -198,21 +167,9 @@ bool isMadeScan(const BodySettings& settings) {
 }
 
 double millimetresOf(Unit unit) {
-  switch (unit) {
-    case Unit::from_file:
-      break;
-    case Unit::millimetre:
-      return 1.0;
-    case Unit::centimetre:
-      return 10.0;
-    case Unit::decimetre:
-      return 100.0;
-    case Unit::metre:
-      return 1000.0;
-    case Unit::inch:
-      return 25.4;
-  }
-  return 0.0;
+  constexpr std::array kMillimetres = {0.0, 1.0, 10.0, 100.0, 1000.0, 25.4};  // in the order of Unit
+  static_assert(kMillimetres.size() == static_cast<std::size_t>(Unit::inch) + 1);
+  return kMillimetres[static_cast<std::size_t>(unit)];
 }
 
 mesh::LoadOptions loadOptionsOf(const BodySettings& settings) {

@@ -6,21 +6,6 @@
 
 namespace palpate::scene {
 
-/// The parts that become the world's skin.
-struct BodyParts {
-  std::string name;
-  mesh::TriangleMesh skin;
-  bool closed = false;
-  bool self_intersecting = false;
-  Anatomy anatomy;
-  std::vector<std::string> notes;
-  std::shared_ptr<const SkinTexture> texture;
-  std::shared_ptr<const SkinChannels> channels = nullptr;
-  std::vector<double> given_stiffness_n_per_mm = {};  ///< a skin vertex each, in place of the scene's; or empty
-  /// Layered tissue in place of the library's and the scene's table; or null.
-  std::shared_ptr<const tissue::LayeredTissue> given_layers = nullptr;
-};
-
 /// Whether "made:scan" stands in the place of the mesh file: a scan that the program makes (body/fitting/made_scan.h).
 bool isMadeScan(const BodySettings& settings);
 

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "palpate/scene/errata.h"
 #include "palpate/scene/scene.h"
@@ -66,33 +67,14 @@ TissueModel withoutLayers(const Fidelity& fidelity) {
   return printed ? TissueModel::literal : TissueModel::gaussian;
 }
 
-std::string_view nameOfTissue(TissueModel model) {
-  switch (model) {
-    case TissueModel::layered:
-      return "layered tissue";
-    case TissueModel::gaussian:
-      return "half-Gaussian tissue";
-    case TissueModel::literal:
-      break;
-  }
-  return "half-Gaussian tissue as printed";
-}
-
-std::string_view nameOfLaw(LawKind law) {
-  switch (law) {
-    case LawKind::linear:
-      return "force F = k d";
-    case LawKind::power:
-      return "force by a power of the depth";
-    case LawKind::stiffening:
-      return "force of a stiffness that grows with depth";
-    case LawKind::table:
-      return "force by a table";
-    case LawKind::layered:
-      break;
-  }
-  return "force by its layers";
-}
+// In the order of TissueModel and of ForceLaw::Kind.
+constexpr std::array<std::string_view, 3> kTissueNames = {"layered tissue", "half-Gaussian tissue",
+                                                          "half-Gaussian tissue as printed"};
+constexpr std::array<std::string_view, 5> kLawNames = {"force F = k d", "force by a power of the depth",
+                                                       "force of a stiffness that grows with depth", "force by a table",
+                                                       "force by its layers"};
+static_assert(kTissueNames.size() == WordsOf<TissueModel>::kAll.size() &&
+              kLawNames.size() == WordsOf<LawKind>::kAll.size());
 
 }  // namespace
 
@@ -109,7 +91,8 @@ TissueChoice tissueChoice(const Scene& scene, const deform::FormSettings& forms,
 }
 
 std::string describe(const TissueChoice& choice) {
-  return fmt::format("{}, {}", nameOfTissue(choice.model), nameOfLaw(choice.law));
+  return fmt::format("{}, {}", kTissueNames[static_cast<std::size_t>(choice.model)],
+                     kLawNames[static_cast<std::size_t>(choice.law)]);
 }
 
 std::string tissueNote(const Scene& scene, const TissueChoice& choice, const std::vector<double>& stiffness_n_per_mm) {

@@ -18,21 +18,6 @@ constexpr std::size_t kMaxMoves = 5000;
 constexpr std::size_t kMaxPoints = 200;
 constexpr double kFarthestMm = 1e6;
 
-/// The numbers of a build as the file names them: those of trunk.h that a fit finds.
-struct ShapeNumber {
-  const char* name;
-  double TrunkShape::*member;
-};
-constexpr std::array<ShapeNumber, 7> kShapeNumbers = {{
-    {"stature_mm", &TrunkShape::stature_mm},
-    {"girth", &TrunkShape::girth},
-    {"body_mass_index", &TrunkShape::body_mass_index},
-    {"muscle", &TrunkShape::muscle},
-    {"kyphosis_deg", &TrunkShape::kyphosis_deg},
-    {"lordosis_deg", &TrunkShape::lordosis_deg},
-    {"asymmetry", &TrunkShape::asymmetry},
-}};
-
 std::string asJson(const Vec3& v) { return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z()); }
 
 template <class Range, class Line>

@@ -135,9 +135,7 @@ FittedBody fittedBody(const TemplateBody& body, const BodyFit& fit, const mesh::
     result.expected_mm.push_back(i < fit.expected_mm.size() ? fit.expected_mm[i] : 0);
     result.landmarks.push_back(std::move(landmark));
   }
-  BoneDepth depth = depthToBones(scan.positions, result.bones);
-  result.depth_mm = std::move(depth.depth_mm);
-  result.nearest_bone = std::move(depth.bone);
+  result.measureDepths(scan.positions);
   return result;
 }
 

@@ -10,12 +10,9 @@
 
 namespace palpate::body {
 
-struct FittedBody {
-  std::vector<Bone> bones;              ///< those under the scan's skin; as closed as the trunk's
-  std::vector<double> depth_mm;         ///< a vertex of the scan each: to the nearest bone
-  std::vector<Index> nearest_bone;      ///< a vertex of the scan each: index into `bones`
-  std::vector<SkinLandmark> landmarks;  ///< those that the scan shows, on its skin
-  std::vector<double> expected_mm;      ///< expected error of each landmark
+/// Those bones that are under the scan's skin, and those landmarks that it shows, on its skin.
+struct FittedBody : BonesUnderSkin {
+  std::vector<double> expected_mm;  ///< expected error of each landmark
 };
 
 /// No bone comes nearer to the scan's skin than this, mm.

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "palpate/base/elementary.h"
+#include "palpate/body/signed_distance.h"
 
 namespace palpate::body {
 
@@ -20,17 +21,6 @@ constexpr double kNeckShare = 0.25;  // share of the lift that shoulders and nec
 constexpr double kFarthest = 1.2;    // end of the ramp: beyond the back's skin the field continues for a little only
 constexpr int kRounds = 3;           // each reduces the error to the field's slope, 0.02
 
-/// 0 before `from`, 1 after `to`, with level ends.
-double smoothStep(double from, double to, double at) {
-  const double share = std::clamp((at - from) / (to - from), 0.0, 1.0);
-  return share * share * (3.0 - 2.0 * share);
-}
-
-const SkinLandmark* named(std::span<const SkinLandmark> landmarks, std::string_view name) {
-  const auto found = std::find_if(landmarks.begin(), landmarks.end(), [&](const auto& l) { return l.name == name; });
-  return found == landmarks.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::optional<BreathField> BreathField::of(const Breathing& breathing, std::span<const SkinLandmark> landmarks,
@@ -39,7 +29,7 @@ std::optional<BreathField> BreathField::of(const Breathing& breathing, std::span
                                                   "spinous_T2"};
   std::array<Vec3, 5> places;
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const SkinLandmark* landmark = named(landmarks, levels[i]);
+    const SkinLandmark* landmark = findLandmark(landmarks, levels[i]);
     if (landmark == nullptr || (i > 0 && landmark->position.y() <= places[i - 1].y())) return std::nullopt;
     places[i] = landmark->position;
   }

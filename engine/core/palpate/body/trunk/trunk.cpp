@@ -207,9 +207,7 @@ Trunk makeTrunk(const TrunkSettings& settings) {
   if (settings.shape.posture == Posture::sitting) setDown(trunk);
   forEachPoint(trunk, [&](const Vec3& p) { return Vec3(shaper.scale() * p); });
   if (trunk.support) trunk.support->point *= shaper.scale();
-  BoneDepth depth = depthToBones(trunk.skin.positions, trunk.bones);
-  trunk.depth_mm = std::move(depth.depth_mm);
-  trunk.nearest_bone = std::move(depth.bone);
+  trunk.measureDepths(trunk.skin.positions);
   return trunk;
 }
 

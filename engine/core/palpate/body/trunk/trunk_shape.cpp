@@ -1,7 +1,7 @@
 // Own. Amounts of fat and muscle are our choice by eye against photographs of builds, so that the waist gains 2 cm a
 // unit of body mass index (1.8 in a survey of 3,600 adults: Hajian-Tilaki and Heidari, "The link between BMI and waist
 // circumference in northern Iranian adults").
-#include "palpate/body/trunk/trunk.h"
+#include "palpate/body/trunk/trunk_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -16,13 +16,7 @@ namespace palpate::body {
 
 namespace {
 
-void requireRange(const char* name, double value, double low, double high, const char* unit) {
-  if (value >= low && value <= high) return;
-  const auto plain = [](double number) {
-    return std::to_string(number).substr(0, std::to_string(number).find('.') + 2);
-  };
-  throw Error(std::string(name) + " " + plain(value) + unit + " is out of range: " + plain(low) + " to " + plain(high));
-}
+std::string plain(double number) { return std::to_string(number).substr(0, std::to_string(number).find('.') + 2); }
 
 /// A smooth hill over a place of the fitted body: 1 at its middle, 1/e at its half widths.
 struct Hill {
@@ -90,13 +84,11 @@ constexpr double kBentHigh = 400;
 }  // namespace
 
 void check(const TrunkShape& shape) {
-  requireRange("stature", shape.stature_mm, 500, 2500, " mm");
-  requireRange("girth", shape.girth, 0.8, 1.3, "");
-  requireRange("body mass index", shape.body_mass_index, 16, 45, " kg/m2");
-  requireRange("muscle", shape.muscle, 0, 2, "");
-  requireRange("kyphosis", shape.kyphosis_deg, 15, 65, " degrees");
-  requireRange("lordosis", shape.lordosis_deg, 0, 50, " degrees");
-  requireRange("asymmetry", shape.asymmetry, 0, 3, "");
+  for (const auto& [name, words, member, low, high, unit] : kShapeNumbers) {
+    if (shape.*member >= low && shape.*member <= high) continue;
+    throw Error(std::string(words) + " " + plain(shape.*member) + unit + " is out of range: " + plain(low) + " to " +
+                plain(high));
+  }
 }
 
 double softTissueGrowth(const TrunkShape& shape, const Vec3& place) {
