@@ -18,7 +18,7 @@ namespace palpate::body {
 namespace {
 
 // --- the lattice: its points within the outline, the number of their triangles, and their rim ---
-//
+
 // All of it is counted before a single triangle is made, because the search for the cell size repeats it many times.
 
 /// Rows of lattice points at a constant q. Row j has the half-steps -reach[j], -reach[j] + 2, ..., reach[j]; a

@@ -1,5 +1,5 @@
 // Cracks that no finger can enter: skin that faces skin across less air than kCrackMm, of parts beside each other or of
-// one fold. Repair joins what is nearer still (mesh/repair_steps.h) where it fits vertex by vertex.
+// one fold. Repair joins what is nearer still (mesh/hairline_gaps.h) where it fits vertex by vertex.
 //
 // To a point such a crack would be a needle: its proxy would slide down the hidden wall, and be held there by as much
 // as it is deep. So a point does not walk into a crack. From the rim it goes on to the other bank where that is nearer

@@ -106,7 +106,7 @@ void collectNeighbours(const Surface& surface, Index record, int corner, std::ve
 }
 
 /// Whether a vertex is the middle that repair gave an edge to tell it from another between the same two vertices
-/// (mesh/repair_steps.h): it lies in the middle of two neighbours that have an edge of their own as well.
+/// (mesh/fans.h): it lies in the middle of two neighbours that have an edge of their own as well.
 bool anyEdgeTwice(const mesh::TriangleMesh& mesh, const Surface& surface, const Progress& progress) {
   std::vector<std::uint8_t> done(mesh.positions.size(), 0);
   std::vector<Index> around, beyond;

@@ -17,12 +17,11 @@
 
 namespace palpate::maps {
 
-// Contour points: the places on the back where an irregular boundary was measured.
-//
-// A table with one row per point: name,x_mm,y_mm,r0_mm,r1_mm,... with 3 to 64 radii at equal angles from +x,
-// counter-clockwise (r1 of 8 radii is at 45 degree), the same number in every row. The first row may name the
-// columns. x and y are the body frame's, seen along z. From here contour_map.h interpolates.
-
+/// A place on the back where an irregular boundary was measured.
+///
+/// A table has one row per point: name,x_mm,y_mm,r0_mm,r1_mm,... with 3 to 64 radii at equal angles from +x,
+/// counter-clockwise (r1 of 8 radii is at 45 degree), the same number in every row. The first row may name the
+/// columns. x and y are the body frame's, seen along z.
 struct ContourPoint {
   std::string name;
   Vec2 position_mm = Vec2::Zero();

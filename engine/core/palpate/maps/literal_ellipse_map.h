@@ -86,9 +86,8 @@ class LiteralEllipseMap {
 /// On a vertical surface, where the projection has no end, the corrected axis.
 SurfaceEllipse literallyLiftedOntoSurface(const Ellipse& ellipse, const Vec3& normal);
 
-// The ellipse map of a scene: the engine's own, or the printed one where an erratum of the maps is literal. Query it
-// like EllipseMap.
-
+/// The ellipse map of a scene: the engine's own, or the printed one where an erratum of the maps is literal. Query it
+/// like EllipseMap.
 class AnyEllipseMap {
  public:
   /// Throws Error like EllipseMap.

@@ -7,7 +7,7 @@
 // machine. Built once a world, some 1 us a vertex.
 //
 // Based on: process convolution (Higdon 1998) for the field; Vigna's splitmix64 for the noise.
-#include "palpate/maps/stiffness_map.h"
+#include "palpate/maps/natural_variation.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // From each border half-edge a walk around the fan of triangles at its start leads to the next one; runs of them are
 // cut into loops wherever they return to a vertex.
-#include "palpate/mesh/holes.h"
+#include "palpate/mesh/border_loops.h"
 
 #include <algorithm>
 #include <cmath>

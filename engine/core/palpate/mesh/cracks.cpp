@@ -1,13 +1,15 @@
 // Each vertex of the loop is looked for on all its edges; then every piece of an edge must have its opposite.
 //
 // As the zipping of Turk and Levoy, "Zippered polygon meshes from range images", 1994, for borders that coincide.
-#include "palpate/mesh/holes.h"
+#include "palpate/mesh/cracks.h"
 
 #include <algorithm>
 #include <array>
 #include <set>
 #include <span>
 #include <utility>
+
+#include "palpate/mesh/holes.h"
 
 namespace palpate::mesh {
 

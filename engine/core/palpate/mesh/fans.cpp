@@ -3,7 +3,7 @@
 //
 // Akin to Rossignac and Cardoze, "Matchmaker: manifold BReps for non-manifold r-sets" (1999), faces paired by
 // angle around an edge, and Gueziec, Taubin, Lazarus, Horn, "Cutting and stitching" (2001), copies of vertices.
-#include "palpate/mesh/repair_steps.h"
+#include "palpate/mesh/fans.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // Vertices near each other get one name. Triangles all of whose corners have a namesake in one other part, in front of
 // them, may be walls; those of two parts are dropped together where, edge by edge, they leave no border.
-#include "palpate/mesh/repair_steps.h"
+#include "palpate/mesh/hairline_gaps.h"
 
 #include <algorithm>
 #include <array>

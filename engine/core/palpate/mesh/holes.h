@@ -13,41 +13,12 @@
 
 #include "palpate/base/progress.h"
 #include "palpate/base/vec.h"
+#include "palpate/mesh/border_loops.h"
+#include "palpate/mesh/cracks.h"
 #include "palpate/mesh/topology.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::mesh {
-
-// Borders as closed runs of edges: what would have to be filled to close a mesh.
-//
-// Read by `surfaceState` (how open is it) and `findHoles` (what may be filled).
-
-/// A closed run of border edges that comes to no vertex twice.
-struct BorderLoop {
-  /// In the direction in which triangles that fill it run along them: vertex i to vertex i + 1, the last to the first.
-  std::vector<Index> vertices;
-  /// The one half-edge at each of these edges; it runs the other way.
-  std::vector<Index> half_edges;
-};
-
-struct Borders {
-  std::size_t edges = 0;  ///< edges of exactly one triangle
-  std::vector<BorderLoop> loops;
-  std::vector<Index> unclosed;  ///< half-edges whose run ends where it is not clear which one is next
-};
-
-/// Where several fans of triangles meet in a border vertex, a run leads across the gap to the next fan: cracks around a
-/// patch that hangs on its corners are loops of their own. A run that returns to a vertex is cut there into two loops.
-/// Indices must be within range.
-Borders findBorders(const TriangleMesh& mesh, const EdgeUses& edges);
-
-/// Half the length of the sum of cross products, mm^2: no surface with this border is smaller.
-double leastArea(const TriangleMesh& mesh, const BorderLoop& loop);
-
-/// Area of the fan of triangles from the loop's middle, mm^2: there is a surface with this border that is as small.
-double fanArea(const TriangleMesh& mesh, const BorderLoop& loop);
-
-double lengthOf(const TriangleMesh& mesh, const BorderLoop& loop);
 
 // The smallest surface over a closed run of edges, from its own vertices alone.
 
@@ -60,24 +31,6 @@ struct LoopTriangulation {
 /// that are not adjacent). Time grows with the cube of the number of vertices: 1 ms for 60, 30 ms for 200.
 std::optional<LoopTriangulation> triangulateLoop(std::span<const Vec3> loop,
                                                  const std::function<bool(Index, Index)>& allowed);
-
-// Cracks: border loops without width, where one side has vertices that the other lacks (T-junctions).
-//
-// `findHoles` requests a plan before any filling; nothing is filled where sides can be joined.
-
-/// Vertices to put on one side of a triangle, in the order in which the half-edge comes to them.
-struct SideSplit {
-  Index half_edge;
-  std::vector<Index> vertices;
-};
-
-/// Joins the sides of the loop: every vertex that lies within `width` mm of an edge across splits it. Empty when that
-/// does not match each edge with its opposite. Time grows with the square of the loop.
-std::optional<std::vector<SideSplit>> planCrack(const TriangleMesh& mesh, const BorderLoop& loop, double width);
-
-/// Executes it; no half-edge may occur twice. Triangles that are split keep one piece in their place, the others come
-/// at the end.
-void splitSides(TriangleMesh& mesh, std::vector<SideSplit> splits);
 
 /// A part is nearly closed when all its holes together have at most this share of its area: a round hole in a ball is
 /// then as wide as a fifth of the ball at most. A hand that ends at the wrist has 4 %, a sheet about 100 %.

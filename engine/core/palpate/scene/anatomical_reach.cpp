@@ -1,6 +1,7 @@
 // Eight ways from the contact, each walked once for press and drag together. A press counts the way as seen along the
 // normal and no folds: a fingertip dents the skin by a centimetre, which no fold is narrower than.
 #include "palpate/scene/anatomical_reach.h"
+#include "palpate/scene/section_walk.h"
 
 #include <algorithm>
 #include <cmath>

@@ -18,7 +18,7 @@ namespace palpate::scene {
 
 /// Describes what lies under the skin of a built-in body; empty for a mesh.
 struct Anatomy : body::BonesUnderSkin {
-  std::vector<float> bone_radius_mm;     ///< a skin vertex each (beneath/tissue_beneath.h); empty: all bone is wide
+  std::vector<float> bone_radius_mm;     ///< a skin vertex each (beneath/bone_width.h); empty: all bone is wide
   std::optional<body::Support> support;  ///< what the body lies or sits on
 };
 

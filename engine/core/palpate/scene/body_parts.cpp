@@ -17,7 +17,7 @@
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"
 #include "palpate/mesh/weld.h"
-#include "palpate/scene/beneath/tissue_beneath.h"
+#include "palpate/scene/beneath/bone_width.h"
 #include "palpate/scene/ready_body.h"
 #include "palpate/scene/skin_channels.h"
 #include "palpate/scene/skin_texture.h"

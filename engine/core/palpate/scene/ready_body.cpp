@@ -61,9 +61,8 @@ void planes(WireReader& wire, std::vector<Whole>& values) {
   for (Whole& value : values) before = value = before + unfolded(value);
 }
 
-// Each of these is called with a writer and the values, or with a reader and values to fill in, of which only the
-// number is right.
-
+/// This and the next are called with a writer and the values, or with a reader and values to fill in, of which only the
+/// number is right.
 template <class Wire, class Reals>
 void realPlanes(Wire& wire, Reals& values) {
   using Real = typename Reals::value_type;

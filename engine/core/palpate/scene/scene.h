@@ -15,6 +15,7 @@
 #include "palpate/hdb/hdb_candidates.h"
 #include "palpate/maps/ellipse_map.h"
 #include "palpate/maps/measured_stiffness.h"
+#include "palpate/maps/natural_variation.h"
 #include "palpate/maps/stiffness_map.h"
 #include "palpate/scene/deformation_settings.h"
 #include "palpate/scene/safety_settings.h"

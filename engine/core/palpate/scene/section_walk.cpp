@@ -1,6 +1,6 @@
 // A corner on the plane counts as one side of it, so that a section that is inside a triangle leaves it by exactly one
 // other edge, whatever the rounding. Of each next triangle only the one corner is asked that was not seen before.
-#include "palpate/scene/anatomical_reach.h"
+#include "palpate/scene/section_walk.h"
 
 namespace palpate::scene {
 

@@ -1,5 +1,5 @@
 // Asked once a build, before the stiffness map, which is the layers' own where there are layers.
-#include "palpate/scene/world.h"
+#include "palpate/scene/tissue_choice.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -7,6 +7,7 @@
 //
 // `rebuilt` starts behind the body, and takes over what its settings leave as it is.
 #include "palpate/scene/world.h"
+#include "palpate/scene/tissue_choice.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // A random field judged by its statistics: many places of a plane, at two densities, and of a box.
-#include "palpate/maps/stiffness_map.h"
+#include "palpate/maps/natural_variation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Regions bent by bones and folds, against finite elements that share nothing with them (uneven_bone.json, made by
 // tools/solve_uneven_bone.py): radii at which a tenth of a press or a drag is left, direction by direction.
 #include "palpate/scene/anatomical_reach.h"
+#include "palpate/scene/section_walk.h"
 
 #include <gtest/gtest.h>
 

@@ -19,7 +19,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
-#include "palpate/scene/beneath/tissue_beneath.h"
+#include "palpate/scene/beneath/bone_width.h"
 #include "palpate/scene/body_parts.h"
 #include "palpate/scene/ready_body.h"
 #include "support/places.h"

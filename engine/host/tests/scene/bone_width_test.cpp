@@ -1,6 +1,6 @@
 // Posts, ridges and planes under a flat skin: how narrow each is found to be, and how hard the skin over it pushes
 // back.
-#include "palpate/scene/beneath/tissue_beneath.h"
+#include "palpate/scene/beneath/bone_width.h"
 
 #include <gtest/gtest.h>
 

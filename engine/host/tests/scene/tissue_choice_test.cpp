@@ -1,5 +1,6 @@
 // Which tissue and law a scene comes to. That every key that changes them is announced is tried key by key, on what a
 // finger feels and the skin does, not on what the choice says of itself.
+#include "palpate/scene/tissue_choice.h"
 #include "palpate/scene/world.h"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 //
 // The ring lies where the load ends: as wide as a fingertip, and wider by the depth, as a load spreads by 45 degrees on
 // its way down. So a post with a flat top counts as the round one that pushes back as hard.
-#include "palpate/scene/beneath/tissue_beneath.h"
+#include "palpate/scene/beneath/bone_width.h"
 
 #include <algorithm>
 #include <array>

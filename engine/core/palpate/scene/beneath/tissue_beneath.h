@@ -17,16 +17,4 @@ namespace palpate::scene {
 std::vector<float> tissueBeneath(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm,
                                  std::span<const body::Bone> bones);
 
-// How narrow the bone is under each vertex of the skin.
-//
-// A finger that is moved aside, by as much as its load is wide at the bone, comes farther from a narrow bone, and stays
-// as far from a wide one.
-
-/// Radius in mm of the round top of a post that recedes as the bone does, by the mean curvature of all directions, so
-/// that a ridge counts as wider than a tip, and a flat top as wider than a round one; a vertex each. `nearest_mm`: to
-/// the nearest bone, a vertex each; tissue::kFlatBoneMm beyond tissue::kDeepBoneMm. A third of a second for 30,000
-/// vertices; load time.
-std::vector<float> boneRadii(const mesh::TriangleMesh& skin, std::span<const double> nearest_mm,
-                             std::span<const body::Bone> bones);
-
 }  // namespace palpate::scene
