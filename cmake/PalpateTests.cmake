@@ -44,6 +44,12 @@ set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/support/places.cpp PROPE
 target_link_libraries(palpate_test_support PRIVATE palpate_test_build)
 palpate_precompile(palpate_test_support palpate_test_support <gtest/gtest.h>)
 
+foreach(install installHost installHostEnvironment)
+  add_library(palpate_test_${install} OBJECT ${PROJECT_SOURCE_DIR}/tests/support/main/main.cpp)
+  target_link_libraries(palpate_test_${install} PRIVATE palpate_test_build)
+  target_compile_definitions(palpate_test_${install} PRIVATE PALPATE_INSTALL=${install})
+endforeach()
+
 # palpate_add_test(<folder> <library>...): of the house that calls, or of the whole.
 function(palpate_add_test folder)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/tests/${folder}/*.cpp)
@@ -52,7 +58,11 @@ function(palpate_add_test folder)
   endif()
   set(target test_${folder})
   add_executable(${target} ${sources})
-  target_link_libraries(${target} PRIVATE palpate_test_support ${ARGN} palpate_test_build GTest::gtest_main)
+  set(main palpate_test_installHost)
+  if("palpate_host_base" IN_LIST ARGN AND NOT "palpate_host_scene" IN_LIST ARGN) # a room before the one that has installHost
+    set(main palpate_test_installHostEnvironment)
+  endif()
+  target_link_libraries(${target} PRIVATE ${main} palpate_test_support ${ARGN} palpate_test_build)
   set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PALPATE_TEST_FOLDER})
   palpate_precompile(${target} palpate_test_support)
   palpate_unite(${target})

@@ -1,9 +1,11 @@
-// What another simulator does with palpate::palpate: a body of its own, a finger that presses and drags it, the skin
-// that follows.
+// What another simulator does with palpate::palpate: a body of its own, from a file, a finger that presses and drags
+// it, the skin that follows.
 #include <palpate/base/error.h>
 #include <palpate/body/back.h>
 #include <palpate/engine/arrays.h>
 #include <palpate/engine/simulator.h>
+#include <palpate/mesh/files/load.h>
+#include <palpate/mesh/files/save.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -11,7 +13,8 @@
 using namespace palpate;
 
 int main() try {
-  const mesh::TriangleMesh back = body::makeBack({.triangles = 8163, .shape = {}});
+  mesh::save("back.ply", body::makeBack({.triangles = 8163, .shape = {}}));
+  const mesh::TriangleMesh back = mesh::load("back.ply");
   const std::vector<double> stiffness_n_per_mm(back.positions.size(), 0.5);
   engine::Simulator simulator(engine::worldFromMesh(back, stiffness_n_per_mm).world);
 

@@ -15,7 +15,6 @@
 #include "lab/runs/scene_bits.h"
 #include "palpate/base/environment.h"
 #include "palpate/base/error.h"
-#include "palpate/scene/ready_body.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
 
@@ -23,7 +22,8 @@ namespace {
 
 using namespace palpate;
 
-/// All that the core asks of a host here: the files that scenes name. Cold work is done by this thread.
+/// All that the core asks of a host here: the files that scenes name. Cold work is done by this thread, and bodies,
+/// which are what is compared, are made here and now.
 std::string readFile(const std::filesystem::path& file, std::uint64_t) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw Error::inFile(file.string(), "cannot be opened for reading");
@@ -46,7 +46,6 @@ int main(int count, char** words) try {
   palpate::Environment host = palpate::environment();
   host.read_file = readFile;
   palpate::useEnvironment(host);
-  palpate::scene::setBodyStore({});  // bodies are what is compared: each is made here and now
   std::uint64_t ticks = 0;
   int first = 1;
   if (count > 2 && std::string(words[1]) == "--ticks") {

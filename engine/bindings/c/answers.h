@@ -4,6 +4,7 @@
 #include <string>
 
 #include "palpate.h"
+#include "palpate/scene/host.h"
 
 namespace palpate::c_api {
 
@@ -32,12 +33,13 @@ int32_t answered(palpate_error* error, Work&& work) noexcept {
   }
 }
 
-/// The same for work that makes a handle: `*out` is null unless it succeeds.
+/// The same for work that makes a handle, as a program's first work does: `*out` is null unless it succeeds.
 template <class Handle, class Work>
 int32_t answeredWith(Handle** out, palpate_error* error, Work&& work) noexcept {
   if (out != nullptr) *out = nullptr;
   return answered(error, [&] {
     require(out != nullptr, "out is null");
+    installHost();
     *out = work();
   });
 }

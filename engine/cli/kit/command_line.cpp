@@ -21,6 +21,7 @@
 #include "palpate/base/system/files.h"
 #include "palpate/base/system/process.h"
 #include "palpate/base/system/signals.h"
+#include "palpate/scene/host.h"
 
 namespace palpate::app {
 
@@ -233,6 +234,7 @@ int printed(std::string_view text) {
 }
 
 int runProgram(const std::function<int()>& body) {
+  installHost();
   system::holdStandardStreams();
   system::makeFailedWritesErrors();
   system::returnLargeArrays();

@@ -6,8 +6,8 @@
 
 namespace palpate::app {
 
-/// Runs `body`, which returns the exit code. Failing writes become errors instead of signals, closed standard streams
-/// are opened, and exceptions of `body` become one line and exit code 2.
+/// Installs the host and runs `body`, which returns the exit code. Failing writes become errors instead of signals,
+/// closed standard streams are opened, and exceptions of `body` become one line and exit code 2.
 int runProgram(const std::function<int()>& body);
 
 /// Prints text on the standard output; the exit code shows whether it got there.

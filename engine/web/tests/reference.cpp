@@ -19,6 +19,7 @@
 #include "palpate/mesh/files/load.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/scene/body_parts.h"
+#include "palpate/scene/host.h"
 #include "palpate/scene/ready_body.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
@@ -163,6 +164,7 @@ int main(int count, char** words) {
     std::fputs("usage: web_reference FOLDER [TRIANGLES] | --lumps SCENE | --press TRIANGLES\n", stderr);
     return 2;
   }
+  palpate::installHost();
   try {
     if (count == 3 && std::string_view(words[1]) == "--lumps") {
       compareLumps(words[2]);

@@ -7,6 +7,7 @@
 #include "cli/kit/commands.h"
 #include "cli/run/run_modes.h"
 #include "measure/window/measuring_mode.h"
+#include "palpate/elements/lump_solver.h"
 
 namespace palpate::app {
 
@@ -44,6 +45,7 @@ void addMeasureCommand(Command& app) {
 }
 
 void addMeasureFamily(Command& app) {
+  scene::setLumpSolver(elements::solveLump);
   offerRunMode(addMeasuringMode);
   addRunCommand(app);
   addMeasureCommand(app);

@@ -19,6 +19,7 @@
 #include "palpate/base/language.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/classroom/class_settings.h"
+#include "palpate/elements/lump_solver.h"
 #include "palpate/training/records/trainee_code.h"
 #include "teach/commands/train_options.h"
 #include "teach/window/screen_tour.h"
@@ -169,6 +170,7 @@ void addTrainCommand(Command& app) {
 }
 
 void addTeachFamily(Command& app) {
+  scene::setLumpSolver(elements::solveLump);
   addTrainCommand(app);
   addClassCommand(app);
 }

@@ -3,10 +3,12 @@
 #include <pybind11/pybind11.h>
 
 #include "bindings.h"
+#include "palpate/scene/host.h"
 #include "uninitialised.h"
 
 PYBIND11_MODULE(_core, module) {
   using namespace palpate::python;  // NOLINT(google-build-using-namespace): of one function
+  palpate::installHost();
   module.doc() = "The engine of palpate; use the package palpate.";
   module.attr("__version__") = PALPATE_VERSION;
   bindErrors(module);

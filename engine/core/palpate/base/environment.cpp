@@ -10,7 +10,7 @@ namespace palpate {
 
 namespace {
 
-constexpr const char* kNoFiles = "this build of the engine reads and writes no files";
+constexpr const char* kNoFiles = "the engine reads and writes files only after palpate::installHost()";
 
 std::string refuseToRead(const std::filesystem::path& file, std::uint64_t) {
   throw Error::inFile(file.string(), kNoFiles);

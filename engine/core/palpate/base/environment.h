@@ -30,7 +30,7 @@ struct Environment {
 /// The one in use. Any thread.
 const Environment& environment();
 
-/// Before any other thread runs: palpate::palpate calls it while the program starts.
+/// Before any other thread runs. Programs on a usual system call installHost (scene/host.h of the host) instead.
 void useEnvironment(const Environment& environment);
 
 }  // namespace palpate

@@ -1,8 +1,8 @@
 // Lumps that were solved with their lump in the mesh, for `[tissue] lumps = "solved"`: the force of a lump's table is
 // then set right over its middle. The core has no solver and no files; programs give it both.
 //
-//   palpate::elements, where it is linked ─ setLumpSolver ─┐
-//   palpate::palpate: the user's folder ─ setLumpStore ────┴─► solvedPushes ─► placedLumps (lumps_of_body.h)
+//   a program with palpate::elements ─────── setLumpSolver ─┐
+//   installHost: the user's folder ───────── setLumpStore ──┴─► solvedPushes ─► placedLumps (lumps_of_body.h)
 #pragma once
 
 #include <cstdint>

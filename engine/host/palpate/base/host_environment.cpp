@@ -1,8 +1,7 @@
 // The environment of a program on a usual system: the file system, and a thread for each piece of work by std::async,
 // whose future carries what it threw. Without a pool, each piece must be worth a thread of its own.
-//
-// It installs itself while the program starts. Nothing refers to it, so programs that link the library ask the linker
-// for `palpate_host_environment` (engine/host/CMakeLists.txt): without that an archive would leave it out.
+#include "palpate/base/host_environment.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,16 +13,8 @@
 #include <thread>
 #include <utility>
 
-#include "palpate/base/environment.h"
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
-
-// A name for the linker. NOLINTBEGIN(readability-identifier-naming)
-extern "C" {
-extern const int palpate_host_environment;
-const int palpate_host_environment = 1;
-}
-// NOLINTEND(readability-identifier-naming)
 
 namespace palpate {
 
@@ -76,7 +67,9 @@ std::size_t hardwareThreads() { return std::max(1u, std::thread::hardware_concur
 
 #endif
 
-[[maybe_unused]] const bool kInstalled = [] {
+}  // namespace
+
+void installHostEnvironment() {
   Environment host = environment();
   host.read_file = readWholeFile;
   host.write_file = writeWholeFile;
@@ -85,9 +78,6 @@ std::size_t hardwareThreads() { return std::max(1u, std::thread::hardware_concur
   host.processors = hardwareThreads;
 #endif
   useEnvironment(host);
-  return true;
-}();
-
-}  // namespace
+}
 
 }  // namespace palpate

@@ -7,8 +7,6 @@
 // A file is used only if its head is the expected one, letter by letter, and its hash is right. Everything else is as
 // good as missing: the body is made and the file replaced. A folder that cannot be read or written costs that time
 // again, but the world is built.
-//
-// It installs itself while the program starts, as base/host_environment.cpp does.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,14 +23,7 @@
 #include "palpate/base/private_folder.h"
 #include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
-#include "palpate/scene/ready_body.h"
-
-// A name for the linker. NOLINTBEGIN(readability-identifier-naming)
-extern "C" {
-extern const int palpate_host_body_store;
-const int palpate_host_body_store = 1;
-}
-// NOLINTEND(readability-identifier-naming)
+#include "palpate/scene/detail/user_stores.h"
 
 namespace palpate::scene {
 
@@ -167,11 +158,8 @@ void saveBodyFile(std::string_view recipe, std::string_view bytes) {
   }
 }
 
-[[maybe_unused]] const bool kStoreInstalled = [] {
-  setBodyStore({findBody, saveBodyFile});
-  return true;
-}();
-
 }  // namespace
+
+BodyStore userBodyStore() { return {findBody, saveBodyFile}; }
 
 }  // namespace palpate::scene

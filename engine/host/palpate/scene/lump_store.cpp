@@ -1,7 +1,5 @@
 // Solved lumps as small files in the user's folder, so that a scene with `lumps = "solved"` is solved once, and
 // programs without a solver have what another one solved.
-//
-// It installs itself while the program starts, as base/host_environment.cpp does.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,14 +11,7 @@
 #include "palpate/base/private_folder.h"
 #include "palpate/base/system/process.h"
 #include "palpate/base/text.h"
-#include "palpate/scene/solved_lumps.h"
-
-// A name for the linker. NOLINTBEGIN(readability-identifier-naming)
-extern "C" {
-extern const int palpate_host_lump_store;
-const int palpate_host_lump_store = 1;
-}
-// NOLINTEND(readability-identifier-naming)
+#include "palpate/scene/detail/user_stores.h"
 
 namespace palpate::scene {
 
@@ -76,11 +67,8 @@ void saveLump(std::uint64_t name, std::span<const SolvedPush> pushes) {
   }
 }
 
-[[maybe_unused]] const bool kInstalled = [] {
-  setLumpStore({findLump, saveLump});
-  return true;
-}();
-
 }  // namespace
+
+LumpStore userLumpStore() { return {findLump, saveLump}; }
 
 }  // namespace palpate::scene

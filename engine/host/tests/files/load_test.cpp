@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "palpate/base/random.h"
+#include "palpate/mesh/files/read_foreign.h"
 #include "palpate/mesh/files/save.h"
 #include "palpate/mesh/validate.h"
 #include "palpate/mesh/winding.h"
@@ -95,6 +96,8 @@ TEST(Load, OtherFormatsOnlyWhenAskedFor) {
   EXPECT_EQ(thrownMessage([&] { load(folder / "square.ac", {.allow_foreign = true}); }),
             (folder / "square.ac").string() + ": this format requires assimp, and palpate was built without it");
   GTEST_SKIP() << "built without assimp";
+#else
+  installForeignReader();
 #endif
   EXPECT_NEAR(validate(load(folder / "square.ac", {.allow_foreign = true})).area_mm2, 100.0, 1e-4);
   writeFile(folder / "broken.ac", "AC3D");

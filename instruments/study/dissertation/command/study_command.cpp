@@ -24,6 +24,7 @@
 #include "dissertation/studies.h"
 #include "palpate/base/error.h"
 #include "palpate/base/made_folder.h"
+#include "palpate/elements/lump_solver.h"
 #include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 
@@ -271,6 +272,7 @@ void addStudyCommand(Command& app) {
 }
 
 void addStudyFamily(Command& app) {
+  scene::setLumpSolver(elements::solveLump);
   addStudyCommand(app);
   addTissueCommand(app);
   addLumpCommand(app);

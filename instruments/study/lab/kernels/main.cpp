@@ -11,6 +11,7 @@
 #include "lab/counters/machine.h"
 #include "lab/kernels/kernel_list.h"
 #include "palpate/base/system/signals.h"
+#include "palpate/scene/host.h"
 
 namespace palpate::bench {
 namespace {
@@ -46,6 +47,7 @@ void run(benchmark::State& state, const Kernel& kernel) {
 int main(int argc, char** argv) {
   using palpate::bench::Kernel;
   palpate::system::makeFailedWritesErrors();
+  palpate::installHost();
   const std::size_t triangles = palpate::bench::extractTrianglesOption(argc, argv);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

@@ -19,6 +19,7 @@
 #include "palpate/base/error.h"
 #include "palpate/measure/key_row.h"
 #include "palpate/measure/measurement.h"
+#include "palpate/scene/host.h"
 #include "uninitialised.h"
 
 namespace palpate::python {
@@ -238,6 +239,7 @@ void bindMeasurement(py::module_& module) {
 }  // namespace
 
 PYBIND11_MODULE(_measure, module) {
+  installHost();
   module.doc() = "Photographs of dots; use palpate.measure.";
   py::module_::import("palpate._core");  // palpate.Error
   bindEllipse(module);

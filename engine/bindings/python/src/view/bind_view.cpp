@@ -20,6 +20,7 @@
 #include "interrupts.h"
 #include "palpate/base/error.h"
 #include "palpate/base/nearest_name.h"
+#include "palpate/scene/host.h"
 #include "palpate/scene/world.h"
 #include "palpate/view/picture.h"
 #include "palpate/view/scene_view.h"
@@ -258,6 +259,7 @@ void savePng(const std::filesystem::path& file, const py::object& picture) {
 }  // namespace
 
 PYBIND11_MODULE(_view, module) {
+  installHost();
   module.doc() = "Drawing without a display; use palpate.view.";
   py::module_::import("palpate._core");  // the types of worlds, skins and touches, and palpate.Error
   module.def("draw", draw, py::arg("world"), py::arg("skin"), py::arg("touches"), py::arg("size"),

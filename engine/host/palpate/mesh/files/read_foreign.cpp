@@ -1,9 +1,11 @@
 // Every other format (3mf, dae, fbx, ...) through assimp. Off by default: its readers are not hardened against hostile
-// files the way ours are, and an error of theirs names no place. The only file that knows assimp; it installs itself
-// while the program starts (as base/host_environment.cpp does) and is not compiled without assimp (PALPATE_ASSIMP=OFF).
+// files the way ours are, and an error of theirs names no place. The only file that knows assimp; it is not
+// compiled without it (PALPATE_ASSIMP=OFF).
 //
 // The library is opened when the first such file is read. Loaded with the program it cost each start 10 ms on a busy
 // AMD EPYC.
+#include "palpate/mesh/files/read_foreign.h"
+
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -16,13 +18,6 @@
 #include "palpate/base/error.h"
 #include "palpate/base/system/library.h"
 #include "palpate/mesh/files/detail/readers.h"
-
-// A name for the linker. NOLINTBEGIN(readability-identifier-naming)
-extern "C" {
-extern const int palpate_host_reads_foreign_meshes;
-const int palpate_host_reads_foreign_meshes = 1;
-}
-// NOLINTEND(readability-identifier-naming)
 
 namespace palpate::mesh {
 
@@ -108,11 +103,8 @@ TriangleMesh readByAssimp(const MeshFile& file, const std::string& extension) {
   return mesh;
 }
 
-[[maybe_unused]] const bool kInstalled = [] {
-  useForeignReader(readByAssimp);
-  return true;
-}();
-
 }  // namespace
+
+void installForeignReader() { useForeignReader(readByAssimp); }
 
 }  // namespace palpate::mesh

@@ -1,28 +1,10 @@
-// It installs itself while the program starts. Nothing refers to it, so programs that link the library ask the linker
-// for `palpate_lump_solver` (instruments/study/solve/CMakeLists.txt): without that an archive would leave it out.
 #include "palpate/elements/lump_solver.h"
 
 #include <algorithm>
 
 #include "palpate/base/error.h"
 
-// A name for the linker. NOLINTBEGIN(readability-identifier-naming)
-extern "C" {
-extern const int palpate_lump_solver;
-const int palpate_lump_solver = 1;
-}
-// NOLINTEND(readability-identifier-naming)
-
 namespace palpate::elements {
-
-namespace {
-
-[[maybe_unused]] const bool kInstalled = [] {
-  scene::setLumpSolver(solveLump);
-  return true;
-}();
-
-}  // namespace
 
 PressSettings pressBeside(const tissue::LumpShape& lump, const tissue::LayerStack& stack) {
   constexpr double kDeepestMm = 8.0;

@@ -3,7 +3,7 @@
 //   shape, layers ─► press without the lump ─┐
 //                └─► press with the lump ────┴─► SolvedPush at 1, 2, 3 ... mm ─► the table of the lump in a world
 //
-// In programs that link this library, worlds solve the lumps of scenes with `lumps = "solved"` (scene/solved_lumps.h).
+// A program that gives solveLump to scene::setLumpSolver solves the lumps of scenes with `lumps = "solved"`.
 #pragma once
 
 #include <vector>

@@ -37,7 +37,7 @@ TriangleMesh readGltf(const MeshFile& file, TexturePlaces* places = nullptr);
 /// Reads every other format, by `extension` without its dot. Throws Error where no host has installed a reader.
 TriangleMesh readForeign(const MeshFile& file, const std::string& extension);
 using ForeignReader = TriangleMesh (*)(const MeshFile& file, const std::string& extension);
-/// While the program starts.
+/// Before any file is read.
 void useForeignReader(ForeignReader reader);
 
 /// No texture here.
