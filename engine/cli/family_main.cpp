@@ -1,7 +1,12 @@
-// The program of a family, which `palpate` starts (kit/families.h): the commands that PALPATE_ADD_COMMANDS adds.
+// The program of a family, which `palpate` starts (kit/families.h): the commands that PALPATE_ADD_COMMANDS, a function
+// of the family's house, adds.
 #include "cli/kit/commands.h"
 #include "cli/kit/program.h"
 #include "palpate/base/system/process.h"
+
+namespace palpate::app {
+void PALPATE_ADD_COMMANDS(Command& app);
+}
 
 int main(int argc, char** argv) {
   return palpate::app::runProgram([&] {

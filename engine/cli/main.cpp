@@ -3,6 +3,7 @@
 #include <optional>
 #include <system_error>
 
+#include "cli/commands.h"
 #include "cli/kit/command_pages.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/families.h"

@@ -1,4 +1,5 @@
 // The commands of `palpate` itself, without a program of another package.
+#include "cli/commands.h"
 #include "cli/kit/commands.h"
 
 namespace palpate::app {

@@ -6,8 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "cli/commands.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "dissertation/command/commands.h"
+#include "measure/commands/commands.h"
+#include "report/commands.h"
+#include "teach/commands/commands.h"
 
 namespace palpate::app {
 namespace {

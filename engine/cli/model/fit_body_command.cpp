@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/commands.h"
+#include "cli/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/output_place.h"

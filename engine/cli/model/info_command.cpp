@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/kit/commands.h"
+#include "cli/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/progress_line.h"

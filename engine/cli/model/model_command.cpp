@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/commands.h"
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"

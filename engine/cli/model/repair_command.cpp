@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "cli/commands.h"
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"

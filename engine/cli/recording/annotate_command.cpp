@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "cli/kit/commands.h"
+#include "cli/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/options.h"
 #include "cli/kit/output_place.h"

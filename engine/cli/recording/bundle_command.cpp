@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "cli/kit/commands.h"
+#include "cli/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/output_place.h"

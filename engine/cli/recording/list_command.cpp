@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "cli/kit/commands.h"
+#include "cli/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/readable_text.h"
 #include "cli/recording/recording_text.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <thread>
 
-#include "cli/kit/commands.h"
+#include "cli/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"

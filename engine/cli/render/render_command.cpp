@@ -10,9 +10,9 @@
 #include <memory>
 #include <optional>
 
+#include "cli/commands.h"
 #include "cli/kit/body_place.h"
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "cli/kit/commands.h"
+#include "cli/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/output_place.h"

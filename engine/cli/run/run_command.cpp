@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "cli/commands.h"
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/families.h"
 #include "cli/kit/interruption.h"

@@ -13,7 +13,7 @@ namespace palpate::app {
 using ModeMaker = std::function<std::unique_ptr<viewer::Mode>()>;
 /// Adds the mode's options to `palpate run`.
 using OfferedMode = ModeMaker (*)(Command& command);
-/// Call before the commands are added (engine/cli/kit/commands.h); once per mode.
+/// Call before the commands are added; once per mode.
 void offerRunMode(OfferedMode mode);
 
 }  // namespace palpate::app

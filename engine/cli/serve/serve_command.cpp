@@ -1,7 +1,7 @@
 // `palpate serve`: the engine here, with real devices; the picture in any browser with a token.
 #include <memory>
 
-#include "cli/kit/commands.h"
+#include "cli/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/number_option.h"
 #include "cli/serve/served_run.h"

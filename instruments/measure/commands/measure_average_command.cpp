@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/output_place.h"
+#include "measure/commands/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/nearest_name.h"

@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/commands.h"
+#include "cli/commands.h"
 #include "cli/run/run_modes.h"
+#include "measure/commands/commands.h"
 #include "measure/window/measuring_mode.h"
 #include "palpate/elements/lump_solver.h"
 

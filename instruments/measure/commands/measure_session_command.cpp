@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "cli/kit/body_place.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
+#include "measure/commands/commands.h"
 #include "measure/commands/dots_report.h"
 #include "measure/pages/photograph_overlay.h"
 #include "palpate/base/error.h"

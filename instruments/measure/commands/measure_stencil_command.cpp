@@ -6,9 +6,9 @@
 #include <string>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
+#include "measure/commands/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/stencil.h"

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
+#include "measure/commands/commands.h"
 #include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/measure/place_stiffness.h"

@@ -10,11 +10,11 @@
 #include <string>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
+#include "measure/commands/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/made_folder.h"

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
@@ -17,6 +16,7 @@
 #include "palpate/scene/errata.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/words.h"
+#include "report/commands.h"
 #include "report/map/map_output.h"
 #include "report/map/map_sources.h"
 

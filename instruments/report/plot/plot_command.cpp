@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "palpate/base/error.h"
 #include "palpate/trace/forces_table.h"
 #include "report/charts/picture_file.h"
+#include "report/commands.h"
 #include "report/plot/forces_plot.h"
 
 namespace palpate::app {

@@ -12,6 +12,7 @@
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/language.h"
+#include "report/commands.h"
 #include "report/recording/recording_report.h"
 #include "report/recording/report_delivery.h"
 
@@ -57,8 +58,6 @@ void runReport(const ReportArguments& arguments) {
   deliver(finished, request, page);
 }
 
-}  // namespace
-
 void addReportCommand(Command& recording) {
   const auto [command, a] =
       addCommand(recording, "report",
@@ -72,6 +71,8 @@ void addReportCommand(Command& recording) {
   command.add_flag("--json", a.request.json, "Print all numbers as one JSON object; write a page only with --out");
   addLanguage(command, a.language);
 }
+
+}  // namespace
 
 void addReportFamily(Command& app) {
   addMapCommand(commandGroup(app, "body"));

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "cli/kit/commands.h"
+#include "cli/kit/options.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
 #include "teach/commands/class_commands.h"
+#include "teach/commands/commands.h"
 
 namespace palpate::app {
 

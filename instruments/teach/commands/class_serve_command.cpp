@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
+#include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"

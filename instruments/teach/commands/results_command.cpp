@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/language.h"
@@ -15,6 +14,7 @@
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/store.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/commands.h"
 #include "teach/commands/results_commands.h"
 
 namespace palpate::app {

@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/families.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/progress_line.h"
@@ -21,6 +20,7 @@
 #include "palpate/classroom/class_settings.h"
 #include "palpate/elements/lump_solver.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/commands.h"
 #include "teach/commands/train_options.h"
 #include "teach/window/screen_tour.h"
 #include "teach/window/training_mode.h"
@@ -143,8 +143,6 @@ void showScreens(const TrainOptions& options) {
   for (const std::filesystem::path& file : files) fmt::print("{}\n", file.string());
 }
 
-}  // namespace
-
 void addTrainCommand(Command& app) {
   Command* command = app.add_subcommand("train", "Train and examine palpation: people in a window, or simulated");
   addResultsCommand(*command);
@@ -168,6 +166,8 @@ void addTrainCommand(Command& app) {
     if (code != 0) throw ExitWith(code);
   });
 }
+
+}  // namespace
 
 void addTeachFamily(Command& app) {
   scene::setLumpSolver(elements::solveLump);

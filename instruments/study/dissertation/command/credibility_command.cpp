@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
+#include "dissertation/command/commands.h"
 #include "dissertation/credibility/credibility.h"
 
 namespace palpate::app {

@@ -12,21 +12,23 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
+#include "dissertation/command/commands.h"
 #include "dissertation/errata/errata_study.h"
 #include "dissertation/figures/figure_study.h"
 #include "dissertation/numbers/numbers_study.h"
 #include "dissertation/report/report.h"
 #include "dissertation/studies.h"
+#include "lab/commands/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/made_folder.h"
 #include "palpate/elements/lump_solver.h"
 #include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
+#include "solve/commands/commands.h"
 
 namespace palpate::app {
 
@@ -104,15 +106,11 @@ void addPage(Command& parent, const study::Study& study) {
   }
 }
 
-}  // namespace
-
 void addStudyPages(Command& parent) {
   for (const study::Study& study : study::studies()) addPage(parent, study);
 }
 
 // `palpate study all`: every study, one page each, and report.html.
-
-namespace {
 
 /// The default run on the dissertation's body and in its tissue.
 scene::Scene studyScene() {
@@ -144,8 +142,6 @@ void runAll(const AllArguments& arguments) {
   fmt::print("{}/report.html\n", arguments.folder);
 }
 
-}  // namespace
-
 void addStudyAll(Command& parent) {
   const auto [command, arguments] = addCommand(
       parent, "all",
@@ -156,8 +152,6 @@ void addStudyAll(Command& parent) {
   command.add_flag("--quick", arguments.quick,
                    "Use small models and few repetitions, to preview the report, not to measure");
 }
-
-namespace {
 
 // A number that differs without an erratum that explains it.
 constexpr int kNotReproduced = 1;
@@ -255,8 +249,6 @@ void addErrata(Command& study) {
   command.add_flag("--list", arguments.list, "Print what each erratum says (Markdown) and stop");
 }
 
-}  // namespace
-
 void addStudyCommand(Command& app) {
   Command& study = *app.add_subcommand("study", "Reproduce the dissertation's numbers and figures");
   study.require_subcommand(1);
@@ -270,6 +262,8 @@ void addStudyCommand(Command& app) {
   addBenchCommand(study);
   addHuntCommand(study);
 }
+
+}  // namespace
 
 void addStudyFamily(Command& app) {
   scene::setLumpSolver(elements::solveLump);

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
+#include "dissertation/command/commands.h"
 #include "dissertation/partition/partition_report.h"
 #include "lab/commands/bench_arguments.h"
 #include "palpate/base/error.h"

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/commands.h"
 #include "lab/runs/servo_costs.h"
 #include "palpate/base/json.h"
 #include "palpate/device/finger_path.h"

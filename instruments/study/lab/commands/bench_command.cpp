@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/options.h"
 #include "cli/kit/output_place.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/commands.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "lab/workloads/workload_meshes.h"
 #include "lab/workloads/workload_paths.h"

@@ -3,11 +3,11 @@
 
 #include <memory>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/commands.h"
 #include "lab/runs/deform_run.h"
 #include "palpate/base/json.h"
 

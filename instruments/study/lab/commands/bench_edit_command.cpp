@@ -12,12 +12,12 @@
 #include <thread>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/commands.h"
 #include "lab/runs/deform_run.h"
 #include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"

@@ -3,11 +3,11 @@
 
 #include <memory>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/commands.h"
 #include "lab/runs/lump_costs.h"
 #include "palpate/base/json.h"
 

@@ -10,6 +10,7 @@
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/commands.h"
 #include "lab/runs/servo_costs.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"

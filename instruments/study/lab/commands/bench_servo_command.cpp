@@ -11,6 +11,7 @@
 #include "cli/kit/simulate_options.h"
 #include "cli/simulate/realtime_run.h"
 #include "lab/commands/bench_report.h"
+#include "lab/commands/commands.h"
 #include "lab/runs/servo_costs.h"
 #include "palpate/base/json.h"
 

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
@@ -19,6 +18,7 @@
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
+#include "lab/commands/commands.h"
 #include "lab/hunt/hunt.h"
 #include "lab/hunt/kept_case.h"
 #include "palpate/base/error.h"

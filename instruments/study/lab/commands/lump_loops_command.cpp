@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
+#include "lab/commands/commands.h"
 #include "lab/loops/lump_loops.h"
 #include "palpate/base/json.h"
 

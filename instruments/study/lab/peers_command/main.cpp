@@ -3,6 +3,7 @@
 // separate.
 #include "cli/kit/commands.h"
 #include "cli/kit/program.h"
+#include "lab/commands/commands.h"
 #include "lab/commands/peers_report.h"
 #include "lab/peers/peer.h"
 #include "palpate/base/system/process.h"

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
@@ -19,6 +18,7 @@
 #include "palpate/tissue/fitting/force_rows.h"
 #include "report/charts/figure.h"
 #include "report/charts/picture_file.h"
+#include "solve/commands/commands.h"
 #include "solve/commands/fit_reports.h"
 
 namespace palpate::app {

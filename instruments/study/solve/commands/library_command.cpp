@@ -12,7 +12,6 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
@@ -24,6 +23,7 @@
 #include "palpate/elements/stack_solver.h"
 #include "palpate/tissue/layered_library.h"
 #include "palpate/tissue/solved_drag.h"
+#include "solve/commands/commands.h"
 
 namespace palpate::app {
 

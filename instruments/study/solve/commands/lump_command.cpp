@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
@@ -21,6 +20,7 @@
 #include "palpate/tissue/layered_tissue.h"
 #include "palpate/tissue/library_fields.h"
 #include "palpate/tissue/lump_energy.h"
+#include "solve/commands/commands.h"
 #include "solve/realism/lump_judge.h"
 
 namespace palpate::app {

@@ -6,7 +6,6 @@
 #include <memory>
 #include <string>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
@@ -15,6 +14,7 @@
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/solved_lumps.h"
 #include "palpate/scene/world.h"
+#include "solve/commands/commands.h"
 
 namespace palpate::app {
 

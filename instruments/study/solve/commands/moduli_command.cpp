@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "cli/kit/commands.h"
 #include "palpate/base/json.h"
 #include "palpate/base/number_range.h"
 #include "palpate/tissue/published.h"
+#include "solve/commands/commands.h"
 
 namespace palpate::app {
 

@@ -4,12 +4,12 @@
 #include <memory>
 #include <string>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/json.h"
 #include "report/charts/picture_file.h"
+#include "solve/commands/commands.h"
 #include "solve/commands/realism_reports.h"
 #include "solve/realism/realism_stacks.h"
 

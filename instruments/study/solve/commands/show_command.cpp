@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "report/charts/picture_file.h"
+#include "solve/commands/commands.h"
 #include "solve/commands/layered_figure.h"
 #include "solve/realism/pressed_numbers.h"
 

@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/kit/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
@@ -23,6 +22,7 @@
 #include "palpate/elements/finger_solver.h"
 #include "palpate/elements/stack_solver.h"
 #include "report/charts/picture_file.h"
+#include "solve/commands/commands.h"
 #include "solve/commands/layered_figure.h"
 
 namespace palpate::app {

@@ -1,5 +1,5 @@
 // `palpate tissue`: layered tissue solved and shown, and published values; each subcommand has a file of its own.
-#include "cli/kit/commands.h"
+#include "solve/commands/commands.h"
 
 namespace palpate::app {
 
