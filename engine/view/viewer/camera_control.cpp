@@ -15,8 +15,8 @@ bool CameraControl::act(window::Action action) {
   using window::Action;
   switch (action) {
     case Action::centre_on_finger:
-      if (const auto& place = pointer_.placeOf(viewer_.active_finger)) {
-        flyTo(centredInFreePart(viewer_.camera, place->point, viewer_.state.shown, viewer_.size_points));
+      if (const auto& place = pointer_.placeOf(seen_.active_finger)) {
+        flyTo(centredInFreePart(seen_.camera, place->point, seen_.state.shown, seen_.size_points));
       }
       return true;
     case Action::next_view:
@@ -42,14 +42,14 @@ bool CameraControl::act(window::Action action) {
 
 void CameraControl::setView(view::StandardView side) {
   standard_view_ = static_cast<int>(side);
-  const Shown& shown = viewer_.state.shown;
-  if (const auto box = modes_.homeBox()) return flyTo(fitToFreePart(*box, shown, side, viewer_.size_points));
-  flyTo(homeView(*world_, shown, side, viewer_.size_points));
+  const Shown& shown = seen_.state.shown;
+  if (const auto box = modes_.homeBox()) return flyTo(fitToFreePart(*box, shown, side, seen_.size_points));
+  flyTo(homeView(*world_, shown, side, seen_.size_points));
 }
 
 void CameraControl::flyTo(const view::Camera& camera) {
-  viewer_.opened.camera_moved = true;
-  pointer_.fly(camera, viewer_, kFlightS);
+  seen_.opened.camera_moved = true;
+  pointer_.fly(camera, seen_, now_s_, kFlightS);
 }
 
 bool CameraControl::flyToPlace(const Vec3& point) {
@@ -59,17 +59,17 @@ bool CameraControl::flyToPlace(const Vec3& point) {
   if (!place) return false;
   const bool behind = place->normal.z() >= 0.0;
   const auto side = behind ? view::StandardView::back : view::StandardView::front;
-  view::Camera camera = homeView(*world_, viewer_.state.shown, side, viewer_.size_points);
+  view::Camera camera = homeView(*world_, seen_.state.shown, side, seen_.size_points);
   camera.distance_mm *= kCloser;
-  flyTo(centredInFreePart(camera, place->point, viewer_.state.shown, viewer_.size_points));
-  if (pointer_.pressed(viewer_.active_finger)) return false;
-  pointer_.put(viewer_.active_finger, *place);
+  flyTo(centredInFreePart(camera, place->point, seen_.state.shown, seen_.size_points));
+  if (pointer_.pressed(seen_.active_finger)) return false;
+  pointer_.put(seen_.active_finger, *place);
   return true;
 }
 
 void CameraControl::showBody(const view::Camera& camera) {
   standard_view_ = static_cast<int>(view::StandardView::back);
-  pointer_.fly(camera, viewer_, kFlightS);
+  pointer_.fly(camera, seen_, now_s_, kFlightS);
 }
 
 }  // namespace palpate::viewer

@@ -11,9 +11,9 @@ namespace palpate::viewer {
 class CameraControl {
  public:
   /// All must outlive it.
-  CameraControl(ViewerState& viewer, Pointer& pointer, const Modes& modes,
+  CameraControl(BodyView& seen, const double& now_s, Pointer& pointer, const Modes& modes,
                 const std::shared_ptr<const scene::World>& world)
-      : viewer_(viewer), pointer_(pointer), modes_(modes), world_(world) {}
+      : seen_(seen), now_s_(now_s), pointer_(pointer), modes_(modes), world_(world) {}
 
   /// Returns true if the action was about the camera, and then it is done.
   bool act(window::Action action);
@@ -27,7 +27,8 @@ class CameraControl {
   void showBody(const view::Camera& camera);
 
  private:
-  ViewerState& viewer_;
+  BodyView& seen_;
+  const double& now_s_;
   Pointer& pointer_;
   const Modes& modes_;
   const std::shared_ptr<const scene::World>& world_;

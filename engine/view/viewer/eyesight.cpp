@@ -4,26 +4,25 @@
 
 namespace palpate::viewer {
 
-void Eyesight::enforceUsableMode(ViewerState& viewer) {
-  view::StereoMode& mode = viewer.state.stereo.mode;
+void Eyesight::enforceUsableMode(view::StereoMode& mode, Conversation& user) {
   const view::UsableMode usable = view::usableMode(mode, quad_buffer_offered_, last_usable_);
   if (usable.mode != mode) {
-    viewer.report(Severity::warning, trf("{}; a screen for shutter glasses needs `--stereo quad-buffer`", usable.note));
+    user.report(Severity::warning, trf("{}; a screen for shutter glasses needs `--stereo quad-buffer`", usable.note));
   }
   mode = last_usable_ = usable.mode;
 }
 
-view::StereoSettings Eyesight::settings(ViewerState& viewer) {
-  viewer.quad_buffer_offered = quad_buffer_offered_;
-  enforceUsableMode(viewer);
-  view::StereoSettings stereo = viewer.state.stereo;
-  const HeadSettings& head = viewer.state.head;
+view::StereoSettings Eyesight::settings(BodyView& seen, Conversation& user) {
+  seen.quad_buffer_offered = quad_buffer_offered_;
+  enforceUsableMode(seen.state.stereo.mode, user);
+  view::StereoSettings stereo = seen.state.stereo;
+  const HeadSettings& head = seen.state.head;
   head_.settings.expected_mm = head.expected_mm;
   head_.settings.offset_mm = head.offset_mm;
-  viewer.head.eyes_mm = head_.eyesAt(viewer.now_s);
-  viewer.head.state = head_.stateAt(viewer.now_s);
+  seen.head.eyes_mm = head_.eyesAt(user.now_s);
+  seen.head.state = head_.stateAt(user.now_s);
   stereo.head.reset();
-  if (head.on) stereo.head = view::TrackedHead{viewer.head.eyes_mm, head.screen_height_mm};
+  if (head.on) stereo.head = view::TrackedHead{seen.head.eyes_mm, head.screen_height_mm};
   return stereo;
 }
 

@@ -21,10 +21,10 @@ class Eyesight {
 
   /// Once a frame. Reverts a mode that is not available, with a message; updates the head's place in the viewer's
   /// state.
-  view::StereoSettings settings(ViewerState& viewer);
+  view::StereoSettings settings(BodyView& seen, Conversation& user);
 
  private:
-  void enforceUsableMode(ViewerState& viewer);
+  void enforceUsableMode(view::StereoMode& mode, Conversation& user);
 
   bool quad_buffer_offered_;
   view::StereoMode last_usable_ = view::StereoMode::mono;

@@ -37,18 +37,17 @@ void FingerForm::frameOfFinger(double between_s, double cost_s) {
   slow_s_ = spare_s_ = 0.0;
 }
 
-view::FingerShape fingerShapeNow(FingerForm& form, const ViewerState& viewer, double elapsed_s, bool counts) {
-  const view::FingerShape chosen = viewer.state.look.finger;
+view::FingerShape fingerShapeNow(FingerForm& form, const BodyView& seen, double elapsed_s, bool counts) {
+  const view::FingerShape chosen = seen.state.look.finger;
   if (chosen != view::FingerShape::automatic) {
     form.reset();
     return chosen;
   }
-  const bool any = viewer.finger_present[0] || viewer.finger_present[1];
+  const bool any = seen.finger_present[0] || seen.finger_present[1];
   // Pictures that are slow enough to be simplified or drawn with fewer pixels leave no time for hands.
-  const bool spared = viewer.simple_shading || (!form.hand() && viewer.performance.picture_share < 1.0);
-  const bool says = counts && any && !spared && !viewer.building && !viewer.recording.sequence;
-  form.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, says);
-  return form.hand() && !viewer.simple_shading ? view::FingerShape::hand : view::FingerShape::finger;
+  const bool spared = seen.simple_shading || (!form.hand() && seen.performance.picture_share < 1.0);
+  form.frame(elapsed_s, 1e-3 * seen.performance.frame_ms, counts && any && !spared);
+  return form.hand() && !seen.simple_shading ? view::FingerShape::hand : view::FingerShape::finger;
 }
 
 }  // namespace palpate::viewer

@@ -10,7 +10,7 @@
 
 namespace palpate::viewer {
 
-struct ViewerState;
+struct BodyView;
 
 struct FingerFormSettings {
   double slow_s = 1.0 / 30.0;  ///< between two pictures; only faster ones get the hand
@@ -47,6 +47,6 @@ class FingerForm {
 };
 
 /// Once a frame: the shape of the viewer's fingers. Never `automatic`.
-view::FingerShape fingerShapeNow(FingerForm& form, const ViewerState& viewer, double elapsed_s, bool counts);
+view::FingerShape fingerShapeNow(FingerForm& form, const BodyView& seen, double elapsed_s, bool counts);
 
 }  // namespace palpate::viewer

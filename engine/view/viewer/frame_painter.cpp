@@ -46,10 +46,10 @@ std::vector<view::FingerMark> marksBeside(const FrameParts& frame) {
 }
 
 /// The twelve edges of the workspace of each device that holds a finger, where the clutch has moved it.
-void addReach(const ViewerState& viewer, std::vector<view::Lines>& lines) {
+void addReach(const DevicesShown& devices, std::vector<view::Lines>& lines) {
   constexpr double kReachPx = 1.6;
-  for (std::size_t i = 0; i < kFingers && viewer.state.shown.reach; ++i) {
-    const FingerHeld& held = viewer.devices.fingers[i];
+  for (std::size_t i = 0; i < kFingers; ++i) {
+    const FingerHeld& held = devices.fingers[i];
     device::DeviceFrame frame = held.workspace.frame;
     frame.origin_mm += held.reading.shift_mm;
     const std::vector<Vec3> corners = device::reachOf(held.able, frame);
@@ -66,15 +66,17 @@ void addReach(const ViewerState& viewer, std::vector<view::Lines>& lines) {
 /// Empty while the past is shown: rings mark the present fingers.
 std::vector<view::Lines> rings(const FrameParts& frame) {
   ViewerState& viewer = frame.viewer;
-  if (viewer.ruler.active) return rulerLines(viewer.ruler);
-  if (viewer.editor.active) return dysfunctionRings(viewer, frame.pointer, frame.world);
-  if (viewer.lump_editor.active) return lumpRings(viewer, frame.pointer, frame.world);
+  const BodyView& seen = viewer;
+  const std::optional<SkinPlace>& under = frame.pointer.placeOf(seen.active_finger);
+  if (seen.ruler.active) return rulerLines(seen.ruler);
+  if (viewer.editor.active) return dysfunctionRings(viewer.dysfunctions(viewer.output), under, frame.world);
+  if (viewer.lump_editor.active) return lumpRings(viewer.lumps(viewer.output), under, frame.world);
   std::vector<view::Lines> marks;
-  if (!viewer.replay.frozen) marks = fingerRings(viewer, frame.pointer);
-  if (viewer.reading && viewer.vertex_panel_open && viewer.mark_vertex) {
-    marks.push_back(vertexMark(*viewer.reading, frame.world, frame.model.surface()));
+  if (!viewer.replay.frozen) marks = fingerRings(seen, viewer.scene, frame.pointer);
+  if (seen.reading && seen.vertex_panel_open && seen.mark_vertex) {
+    marks.push_back(vertexMark(*seen.reading, frame.world, frame.model.surface()));
   }
-  addReach(viewer, marks);
+  if (seen.state.shown.reach) addReach(viewer.devices, marks);
   for (const auto& mode : frame.modes) {
     for (view::Lines& lines : mode->marks(frame.world, viewer)) marks.push_back(std::move(lines));
   }
@@ -95,25 +97,25 @@ bool drawsItself(const view::StereoSettings& stereo, bool quad_buffer) {
 }
 
 view::PictureSettings FramePainter::pictureSettings(const FrameParts& frame) const {
-  const ViewerState& viewer = frame.viewer;
+  const BodyView& seen = frame.viewer;
   view::PictureSettings picture;
-  picture.camera = viewer.camera;
-  picture.look = viewer.state.look;
+  picture.camera = seen.camera;
+  picture.look = seen.state.look;
   picture.look.finger = finger_shape_;
-  if (viewer.simple_shading) picture.look.shading = view::Shading::gouraud;
-  picture.look.light_background = viewer.state.theme == window::Theme::light;
+  if (seen.simple_shading) picture.look.shading = view::Shading::gouraud;
+  picture.look.light_background = seen.state.theme == window::Theme::light;
   picture.stereo = frame.stereo;
-  picture.labels.numbers = viewer.state.shown.numbers;
+  picture.labels.numbers = seen.state.shown.numbers;
   for (const auto& mode : frame.modes) mode->adjust(picture);
   return picture;
 }
 
 /// Whether a finger touches or moves, or the view turns.
 bool FramePainter::inMotion(const FrameParts& frame) {
-  const ViewerState& viewer = frame.viewer;
-  bool moves = !sameView(viewer.camera, std::exchange(seen_from_, viewer.camera));
+  const BodyView& seen = frame.viewer;
+  bool moves = !sameView(seen.camera, std::exchange(seen_from_, seen.camera));
   for (std::size_t i = 0; i < kFingers; ++i) {
-    const contact::FingerOutput& finger = viewer.fingers[i];
+    const contact::FingerOutput& finger = seen.fingers[i];
     moves = moves || finger.touch != contact::Touch::free || frame.pointer.pressed(i);
     moves = moves || (finger.tip - tips_[i]).norm() > kSeenMm;
     tips_[i] = finger.tip;
@@ -133,7 +135,8 @@ void FramePainter::chooseEffort(const FrameParts& frame) {
   if (adapts && counts && moves && std::exchange(moved_, moves)) scale_.frame(elapsed_s);
   moved_ = moves && !frame.kept;
   viewer.performance.picture_share = adapts && moves && !frame.kept ? scale_.share() : 1.0;
-  finger_shape_ = fingerShapeNow(finger_form_, viewer, elapsed_s, elapsed_s > 0.0);
+  const bool hand_counts = elapsed_s > 0.0 && !viewer.building && !viewer.recording.sequence;
+  finger_shape_ = fingerShapeNow(finger_form_, viewer, elapsed_s, hand_counts);
 }
 
 std::vector<view::FingerMark> FramePainter::fingerMarks(const FrameParts& frame) {
@@ -188,9 +191,9 @@ void FramePainter::paint(const FrameParts& frame, window::Gui::Choice windows) {
 
 /// Each in a half of the area that the panels leave free.
 void FramePainter::paintBeside(const FrameParts& frame, window::Gui::Choice windows) {
-  const ViewerState& viewer = frame.viewer;
-  const auto shown_width = static_cast<float>(viewer.size_points.x());
-  const FreeArea free = freeArea(viewer.state.shown, shown_width, static_cast<float>(viewer.size_points.y()));
+  const BodyView& seen = frame.viewer;
+  const auto shown_width = static_cast<float>(seen.size_points.x());
+  const FreeArea free = freeArea(seen.state.shown, shown_width, static_cast<float>(seen.size_points.y()));
   const auto pixels = [&](float points) {
     return static_cast<int>(frame.pixels_per_point * static_cast<double>(points));
   };
@@ -211,13 +214,12 @@ void FramePainter::paintBeside(const FrameParts& frame, window::Gui::Choice wind
 
 /// One of two bodies, by one eye, in the middle of its half and so far away that a square fits.
 void FramePainter::paintHalf(const FrameParts& frame, LiveModel& model, std::span<const view::FingerMark> fingers) {
-  const ViewerState& viewer = frame.viewer;
   view::PictureSettings picture = pictureSettings(frame);
   picture.stereo.mode = view::StereoMode::mono;
-  picture.camera = cameraOfFreePart(picture.camera, viewer.state.shown, viewer.size_points);
+  picture.camera = cameraOfFreePart(picture.camera, frame.viewer.state.shown, frame.viewer.size_points);
   picture.camera.distance_mm *= std::max(1.0, static_cast<double>(half_->height()) / half_->width());
-  model.painter().paint({.fingers = fingers, .time_s = viewer.now_s, .lift_mm = model.lift()}, model.surface(), picture,
-                        canvasOn(*half_, frame.pixels_per_point));
+  model.painter().paint({.fingers = fingers, .time_s = frame.viewer.now_s, .lift_mm = model.lift()}, model.surface(),
+                        picture, canvasOn(*half_, frame.pixels_per_point));
 }
 
 /// Drawn on white and on black.

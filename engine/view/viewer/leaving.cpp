@@ -26,38 +26,38 @@ struct LeavesTheScene {
   }
 };
 
-std::string nameOf(const ViewerState& viewer) {
-  const SceneDocument& document = viewer.document;
+std::string nameOf(const EditedScene& edited) {
+  const SceneDocument& document = edited.document;
   if (!document.file.empty()) return document.file.filename().string();
-  return document.title.empty() ? viewer.world.name : tr(document.title.c_str());
+  return document.title.empty() ? edited.world.name : tr(document.title.c_str());
 }
 
 }  // namespace
 
-bool needsConfirmation(const Request& request, ViewerState& viewer) {
+bool needsConfirmation(const Request& request, const EditedScene& edited, Conversation& user) {
   const bool closes = std::holds_alternative<Quit>(request) || std::holds_alternative<GiveWay>(request);
-  if (closes && viewer.class_shown.anything()) {
-    viewer.ask({.kind = Question::Kind::end_class,
-                .words = toTranslate("The class ends with this window. What was collected is kept."),
-                .answers = {toTranslate("End the class"), toTranslate("Stay")},
-                .then = request});
+  if (closes && user.class_shown.anything()) {
+    user.ask({.kind = Question::Kind::end_class,
+              .words = toTranslate("The class ends with this window. What was collected is kept."),
+              .answers = {toTranslate("End the class"), toTranslate("Stay")},
+              .then = request});
     return true;
   }
-  if (!std::visit(LeavesTheScene(), request) || !viewer.history.sceneChanged()) return false;
-  viewer.ask(
-      {.kind = Question::Kind::leave, .words = trf("{} was changed. Save it first?", nameOf(viewer)), .then = request});
+  if (!std::visit(LeavesTheScene(), request) || !edited.history.sceneChanged()) return false;
+  user.ask(
+      {.kind = Question::Kind::leave, .words = trf("{} was changed. Save it first?", nameOf(edited)), .then = request});
   return true;
 }
 
-std::string_view answerForKey(window::Key key, const ViewerState& viewer) {
-  if (!viewer.question) return {};
-  const std::vector<std::string>& answers = viewer.question->answers;
+std::string_view answerForKey(window::Key key, const std::optional<Question>& question) {
+  if (!question) return {};
+  const std::vector<std::string>& answers = question->answers;
   if (key == window::Key::enter || key == window::Key::pad_enter) return answers.front();
   return key == window::Key::escape ? answers.back() : std::string_view();
 }
 
-std::string titleOf(const ViewerState& viewer) {
-  return fmt::format("{}{} - Palpate", nameOf(viewer), viewer.history.changed() ? " *" : "");
+std::string titleOf(const EditedScene& edited) {
+  return fmt::format("{}{} - Palpate", nameOf(edited), edited.history.changed() ? " *" : "");
 }
 
 }  // namespace palpate::viewer

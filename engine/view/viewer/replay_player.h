@@ -19,18 +19,20 @@ namespace palpate::viewer {
 /// Needs a current GL context for the second recording's model.
 class ReplayPlayer {
  public:
-  explicit ReplayPlayer(double ticks_per_s) : history_(ticks_per_s) {}
+  /// The documents must outlive it.
+  ReplayPlayer(double ticks_per_s, PastTouches& past, Conversation& user)
+      : ticks_per_s_(ticks_per_s), past_(past), user_(user), history_(ticks_per_s) {}
 
   /// Begins to read a recording or a table of forces, to be shown alone or next to the shown one.
   void load(const std::string& file, bool beside, const std::shared_ptr<const scene::World>& world,
-            ViewerState& viewer);
+            const scene::Scene& scene);
   /// Starts or ends the scene's own fingers.
-  void playScript(const std::shared_ptr<const scene::World>& world, ViewerState& viewer);
+  void playScript(const std::shared_ptr<const scene::World>& world);
   /// Progress of the current reading, if any; a recording's body may be slow to build.
   std::optional<engine::BuildProgress> progress() const { return loader_.progress(); }
-  void cancel(ViewerState& viewer);
-  /// Shows the result of reading, frozen at its beginning.
-  void collectResult(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer);
+  void cancel();
+  /// Shows the result of reading, frozen at its beginning. Plots mark forces beyond `device_limit_n`.
+  void collectResult(const std::shared_ptr<const scene::World>& world, LiveModel& model, double device_limit_n);
 
   /// Adds a tick of a finger, while the present is shown.
   void add(const trace::Sample& sample) { history_.add(sample); }
@@ -40,7 +42,7 @@ class ReplayPlayer {
   /// Advances time, once per frame, and leaves a recording when it is unfrozen. Returns the moment to show; null: the
   /// present.
   const TouchHistory::Moment* advance(const std::shared_ptr<const scene::World>& world, LiveModel& model,
-                                      ViewerState& viewer, double elapsed_s);
+                                      double elapsed_s);
 
   /// Null: the history of this run, or the present.
   const RecordedTouch* recorded() const { return recorded_ ? &*recorded_ : nullptr; }
@@ -59,9 +61,12 @@ class ReplayPlayer {
 
  private:
   const TouchHistory& history() const { return recorded_ ? recorded_->history : history_; }
-  void show(RecordedTouch touch, LiveModel& model, ViewerState& viewer);
-  void leave(const std::shared_ptr<const scene::World>& world, LiveModel& model, ViewerState& viewer);
+  void show(RecordedTouch touch, LiveModel& model, double device_limit_n);
+  void leave(const std::shared_ptr<const scene::World>& world, LiveModel& model);
 
+  double ticks_per_s_;
+  PastTouches& past_;
+  Conversation& user_;
   TouchHistory history_;  ///< history of this run
   ReplayLoader loader_;
   bool loads_beside_ = false;

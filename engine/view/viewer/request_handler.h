@@ -59,7 +59,8 @@ struct RequestParts {
 
 class RequestHandler {
  public:
-  explicit RequestHandler(const RequestParts& parts) : parts_(parts) {}
+  explicit RequestHandler(const RequestParts& parts)
+      : parts_(parts), edited_(parts.viewer), seen_(parts.viewer), past_(parts.viewer), user_(parts.viewer) {}
   void handle(const Request& request);
   /// Once a frame: handles the findings about a file to open.
   void advance();
@@ -114,6 +115,10 @@ class RequestHandler {
   void askForUnit(OpenFile request, const std::optional<double>& longest_units);
 
   RequestParts parts_;
+  EditedScene& edited_;
+  BodyView& seen_;
+  PastTouches& past_;
+  Conversation& user_;
   bool quits_ = false;
   std::optional<OpenFile> to_measure_;  ///< a mesh of unknown unit
   OpenFile measured_;
@@ -126,14 +131,13 @@ class RequestHandler {
 
 // Questions before an action that would lose something.
 
-/// Whether the request loses changes and the user was not asked; then the viewer's state has the question, with the
-/// waiting request.
-bool needsConfirmation(const Request& request, ViewerState& viewer);
+/// Whether the request loses changes and the user was not asked; then the question is put, with the waiting request.
+bool needsConfirmation(const Request& request, const EditedScene& edited, Conversation& user);
 
-/// The key's answer to the viewer's question, or empty.
-std::string_view answerForKey(window::Key key, const ViewerState& viewer);
+/// The key's answer to the question, or empty.
+std::string_view answerForKey(window::Key key, const std::optional<Question>& question);
 
 /// The window's title: the open file, and a star for unsaved changes.
-std::string titleOf(const ViewerState& viewer);
+std::string titleOf(const EditedScene& edited);
 
 }  // namespace palpate::viewer

@@ -17,9 +17,9 @@ constexpr double kForgiving = 2.0;
 constexpr double kMaxPatience = 64.0;
 
 /// Whether the picture has fewer pixels to go to, or would have in motion.
-bool hasPixelsLeft(const ViewerState& viewer) {
-  const bool adapts = viewer.state.adapts_resolution && viewer.state.stereo.mode == view::StereoMode::mono;
-  return adapts && viewer.performance.picture_share > kMinPictureShare;
+bool hasPixelsLeft(const BodyView& seen) {
+  const bool adapts = seen.state.adapts_resolution && seen.state.stereo.mode == view::StereoMode::mono;
+  return adapts && seen.performance.picture_share > kMinPictureShare;
 }
 
 }  // namespace
@@ -43,23 +43,23 @@ ShadingGuard::Change ShadingGuard::frame(double between_s, double cost_s, bool c
   return Change::as_requested;
 }
 
-void guardShading(ShadingGuard& guard, ViewerState& viewer, double elapsed_s, bool counts) {
-  const ViewState& state = viewer.state;
+void guardShading(ShadingGuard& guard, BodyView& seen, double elapsed_s, bool counts, Conversation& user) {
+  const ViewState& state = seen.state;
   if (!state.simpler_when_slow || state.look.shading == view::Shading::gouraud) {
     guard.reset();
   } else {
-    const bool gains = counts && !viewer.building && !viewer.recording.sequence && !hasPixelsLeft(viewer);
-    const auto change = guard.frame(elapsed_s, 1e-3 * viewer.performance.frame_ms, gains);
+    const bool gains = counts && !hasPixelsLeft(seen);
+    const auto change = guard.frame(elapsed_s, 1e-3 * seen.performance.frame_ms, gains);
     if (change == ShadingGuard::Change::simpler) {
       // The menu bar shows it as long as it lasts; a plate over the picture would hide what is already slow.
-      viewer.messages.note(trf("At {:.0f} fps the skin is drawn smooth for now; choose for good under Show > shading",
-                               viewer.performance.frames_per_s),
-                           viewer.now_s);
+      user.messages.note(trf("At {:.0f} fps the skin is drawn smooth for now; choose for good under Show > shading",
+                             seen.performance.frames_per_s),
+                         user.now_s);
     } else if (change == ShadingGuard::Change::as_requested) {
-      viewer.messages.note("Pictures are fast again: the skin is drawn as before", viewer.now_s);
+      user.messages.note("Pictures are fast again: the skin is drawn as before", user.now_s);
     }
   }
-  viewer.simple_shading = guard.simple();
+  seen.simple_shading = guard.simple();
 }
 
 }  // namespace palpate::viewer

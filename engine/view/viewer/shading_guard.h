@@ -9,7 +9,8 @@
 
 namespace palpate::viewer {
 
-struct ViewerState;
+struct BodyView;
+struct Conversation;
 
 struct ShadingGuardSettings {
   double slow_s = 1.0 / 20.0;  ///< between two pictures, as in PictureScaleSettings
@@ -43,6 +44,6 @@ class ShadingGuard {
 
 /// Once a frame: lets the guard choose the drawing of the viewer's skin, and tells the user. `counts`: simpler drawing
 /// would gain something.
-void guardShading(ShadingGuard& guard, ViewerState& viewer, double elapsed_s, bool counts);
+void guardShading(ShadingGuard& guard, BodyView& seen, double elapsed_s, bool counts, Conversation& user);
 
 }  // namespace palpate::viewer

@@ -34,83 +34,85 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
       servo_(planFor(world, world->scene, true, scaledCapabilities(settings_.devices)), settings_.devices),
       model_(std::make_unique<LiveModel>(world)),
       world_swap_(world),
-      devices_(servo_, world_swap_),
-      keeper_(servo_, settings_.recording_folder),
-      replay_(servo_.thread().ticksPerS()),
-      outputs_(settings_.output_folder),
+      devices_(servo_, world_swap_, edited_.scene, holders_, user_),
+      keeper_(servo_, settings_.recording_folder, user_),
+      replay_(servo_.thread().ticksPerS(), past_, user_),
+      outputs_(settings_.output_folder, user_),
       modes_(std::move(settings_.modes)),
-      camera_(viewer_, pointer_, modes_, world_),
+      camera_(seen_, user_.now_s, pointer_, modes_, world_),
       class_run_(host_.teach_program),
       requests_({viewer_, world_swap_, devices_, keeper_, outputs_, replay_, camera_, class_run_, modes_, host_,
                  settings_.default_scene, world_}),
       eyesight_(host_.quad_buffer) {
-  viewer_.state = std::move(state);
-  viewer_.scene = world->scene;
-  viewer_.document = settings_.document;
-  viewer_.output_folder = outputs_.folder();
+  seen_.state = std::move(state);
+  edited_.scene = world->scene;
+  edited_.document = settings_.document;
+  user_.output_folder = outputs_.folder();
   updateFacts();
-  viewer_.profile.knots = world->deformation.normal_profile.knots;
-  viewer_.held = servo_.abilities();
-  if (host_.activities) viewer_.activities = host_.activities();
-  viewer_.class_shown.offered = class_run_.offered();
-  viewer_.ticks_per_s = servo_.thread().ticksPerS();
-  world_swap_.makePlan(viewer_);  // gives the viewer's state the limits
-  for (SampleHistory& plot : viewer_.plots.fingers) plot = SampleHistory(viewer_.ticks_per_s);
-  input_.settings = viewer_.state.input;
-  viewer_.performance.graphics = view::rendererString();
-  devices_.begin(viewer_);
+  edited_.profile.knots = world->deformation.normal_profile.knots;
+  holders_.held = servo_.abilities();
+  if (host_.activities) user_.activities = host_.activities();
+  user_.class_shown.offered = class_run_.offered();
+  holders_.ticks_per_s = servo_.thread().ticksPerS();
+  world_swap_.makePlan(edited_.scene, holders_, user_);  // gives the viewer's state the limits
+  for (SampleHistory& plot : past_.plots.fingers) plot = SampleHistory(holders_.ticks_per_s);
+  input_.settings = seen_.state.input;
+  seen_.performance.graphics = view::rendererString();
+  devices_.begin();
   for (const auto& mode : modes_) mode->begin(viewer_, *world, gui_);
 }
 
 Viewer::~Viewer() = default;
 
 void Viewer::updateFacts() {
-  const bool other_file = viewer_.world.channels != world_->body->channels;
-  viewer_.world = collectWorldFacts(*world_);
+  const bool other_file = edited_.world.channels != world_->body->channels;
+  edited_.world = collectWorldFacts(*world_);
   if (!other_file) return;
-  const std::string words = adoptChannels(*world_, viewer_.state.look);
-  if (!words.empty()) viewer_.report(Severity::info, words);
+  const std::string words = adoptChannels(*world_, seen_.state.look);
+  if (!words.empty()) user_.report(Severity::info, words);
 }
 
 servo::LoopReport Viewer::finish(std::string_view ended_by) {
   servo::LoopReport report = servo_.thread().stop();
   processSamples();
   for (const auto& mode : modes_) {
-    if (const std::string words = mode->finish(ended_by); !words.empty()) viewer_.report(Severity::error, words);
+    if (const std::string words = mode->finish(ended_by); !words.empty()) user_.report(Severity::error, words);
   }
-  keeper_.finish(viewer_, ended_by);
-  outputs_.finish(viewer_);
+  keeper_.finish(ended_by);
+  outputs_.finish();
   return report;
 }
 
 void Viewer::frame(int width, int height, double scale, double now_s, std::span<const window::InputEvent> events) {
   const Clock::time_point started = Clock::now();
-  const bool first = !seen_;
-  const double elapsed_s = first ? 1.0 / 60.0 : std::max(1e-4, now_s - viewer_.now_s);
-  viewer_.now_s = now_s;
+  const bool first = !looked_;
+  const double elapsed_s = first ? 1.0 / 60.0 : std::max(1e-4, now_s - user_.now_s);
+  user_.now_s = now_s;
   makeTarget(width, height);
   adoptWorld();
-  replay_.collectResult(world_, *model_, viewer_);
+  replay_.collectResult(world_, *model_, holders_.device_limit_n);
   followServo(elapsed_s);
-  const double points = scale * viewer_.state.text_size;
-  if (std::exchange(theme_, viewer_.state.theme) != viewer_.state.theme) gui_.setTheme(viewer_.state.theme);
-  stereo_ = eyesight_.settings(viewer_);
+  const double points = scale * seen_.state.text_size;
+  if (std::exchange(theme_, seen_.state.theme) != seen_.state.theme) gui_.setTheme(seen_.state.theme);
+  stereo_ = eyesight_.settings(seen_, user_);
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, width, height);
-  viewer_.size_points = Vec2(eye.seen_width, eye.seen_height) / points;
+  seen_.size_points = Vec2(eye.seen_width, eye.seen_height) / points;
   drawGuiPasses(mapEventsToEye(events, stereo_.mode, width, height), points, elapsed_s);
-  const UiOutput& output = viewer_.output;
+  const UiOutput& output = user_.output;
   const bool held = ImGui::IsAnyItemActive();
   const bool any = held || !events.empty() || output.changed != kNothing || !output.requests.empty();
   useChanges(elapsed_s);
-  if (!viewer_.opening && !modes_.claims().window) viewer_.history.follow(viewer_, {held, viewer_.editingNow(), any});
+  if (!edited_.opening && !modes_.claims().window)
+    edited_.history.follow(edited_, seen_, {held, edited_.editingNow(), any}, user_.output);
   updateTitle();
   pointServo();
   paintAndKeep(points);
-  Performance& performance = viewer_.performance;
+  Performance& performance = seen_.performance;
   performance.frame_ms = millisecondsSince(started);
   frame_s_ += kRateSmoothing * (elapsed_s - frame_s_);
   performance.frames_per_s = 1.0 / frame_s_;
-  guardShading(shading_guard_, viewer_, elapsed_s, !first && !modes_.claims().body);
+  const bool counts = !first && !modes_.claims().body && !edited_.building && !user_.recording.sequence;
+  guardShading(shading_guard_, seen_, elapsed_s, counts, user_);
 }
 
 void Viewer::makeTarget(int width, int height) {
@@ -120,19 +122,19 @@ void Viewer::makeTarget(int width, int height) {
 
 /// Maps the cursor's pixels in this frame; places the camera the first time.
 void Viewer::lookAround() {
-  if (!std::exchange(seen_, true)) {
+  if (!std::exchange(looked_, true)) {
     // A mode's column exists in any window: the body keeps to the rest.
-    if (!modes_.claims().window && viewer_.size_points.x() < kNarrowPoints) viewer_.state.shown.panel = false;
-    viewer_.camera = homeView(*world_, viewer_.state.shown, view::StandardView::back, viewer_.size_points);
-    applySceneLook(*world_, viewer_, viewer_.size_points);
+    if (!modes_.claims().window && seen_.size_points.x() < kNarrowPoints) seen_.state.shown.panel = false;
+    seen_.camera = homeView(*world_, seen_.state.shown, view::StandardView::back, seen_.size_points);
+    applySceneLook(*world_, seen_, seen_.size_points);
     beginScene();
     if (modes_.homeBox()) camera_.setView(view::StandardView::back);
-    if (settings_.intro && !viewer_.state.reduced_motion) intro_.begin(*world_, viewer_.now_s);
+    if (settings_.intro && !seen_.state.reduced_motion) intro_.begin(*world_, user_.now_s);
   }
   const view::EyePicture eye = view::eyePictureIn(stereo_.mode, target_->width(), target_->height());
-  eyes_ = view::placeEyes(viewer_.camera, stereo_, eye.aspect());
+  eyes_ = view::placeEyes(seen_.camera, stereo_, eye.aspect());
   pointer_.look({eyes_.screen, eyes_.middle, Vec2(target_->width(), target_->height()), stereo_.mode}, world_);
-  const Sight sight{frustum(), viewer_.size_points, target_->width() / viewer_.size_points.x(), pointer_};
+  const Sight sight{frustum(), seen_.size_points, target_->width() / seen_.size_points.x(), pointer_};
   for (const auto& mode : modes_) mode->look(sight, viewer_);
 }
 
@@ -146,26 +148,26 @@ view::Frustum Viewer::frustum() const {
 void Viewer::adoptWorld() {
   const WorldSwap::Shown shown = world_swap_.popShown(servo_.thread());
   if (!shown.world) return;
-  const bool other_scene = std::exchange(viewer_.opening, false);
+  const bool other_scene = std::exchange(edited_.opening, false);
   world_ = shown.world;
   model_->setWorld(world_);
   for (const auto& mode : modes_) mode->handleNewWorld(*world_);
   updateFacts();
-  if (viewer_.profile.handle < 0) viewer_.profile.knots = world_->deformation.normal_profile.knots;
+  if (edited_.profile.handle < 0) edited_.profile.knots = world_->deformation.normal_profile.knots;
   if (!shown.other_body) return;
   devices_.bodyChanged();
-  viewer_.reading.reset();
+  seen_.reading.reset();
   replay_.clear();
-  freeze(viewer_.replay, false);
+  freeze(past_.replay, false);
   pointer_.reset();
   std::vector<window::Command> lifted;
   input_.handle({.kind = window::InputEvent::Kind::focus}, {}, lifted);
-  if (!seen_) return;
-  viewer_.ruler = {};
-  view::Camera camera = homeView(*world_, viewer_.state.shown, view::StandardView::back, viewer_.size_points);
+  if (!looked_) return;
+  seen_.ruler = {};
+  view::Camera camera = homeView(*world_, seen_.state.shown, view::StandardView::back, seen_.size_points);
   if (other_scene) {
-    const view::Camera before = viewer_.camera;
-    if (applySceneLook(*world_, viewer_, viewer_.size_points)) camera = std::exchange(viewer_.camera, before);
+    const view::Camera before = seen_.camera;
+    if (applySceneLook(*world_, seen_, seen_.size_points)) camera = std::exchange(seen_.camera, before);
     beginScene();
   }
   camera_.showBody(camera);
@@ -173,78 +175,77 @@ void Viewer::adoptWorld() {
 
 /// Starts without changes. A scene without a file is saved as seen, habits included.
 void Viewer::beginScene() {
-  const bool of_file = !viewer_.document.file.empty();
-  viewer_.opened = {.look = of_file ? viewer_.state.look : view::Look{},
-                    .stereo = of_file ? viewer_.state.stereo : view::StereoSettings{}};
-  viewer_.history.begin(viewer_);
+  const bool of_file = !edited_.document.file.empty();
+  seen_.opened = {.look = of_file ? seen_.state.look : view::Look{},
+                  .stereo = of_file ? seen_.state.stereo : view::StereoSettings{}};
+  edited_.history.begin(edited_, seen_);
 }
 
 void Viewer::followServo(double elapsed_s) {
   processSamples();
-  Performance& performance = viewer_.performance;
+  Performance& performance = seen_.performance;
   performance.servo = servo_.thread().vitals();
   performance.dropped_samples = servo_.thread().droppedSamples();
-  const TouchHistory::Moment* past = replay_.advance(world_, *model_, viewer_, elapsed_s);
+  const TouchHistory::Moment* past = replay_.advance(world_, *model_, elapsed_s);
   past != nullptr ? show(*past) : show(servo_.thread().contacts());
 }
 
 void Viewer::show(std::span<const trace::Sample> contacts) {
-  for (std::size_t i = 0; i < kFingers; ++i) viewer_.fingers[i] = contacts[i].contact;
+  for (std::size_t i = 0; i < kFingers; ++i) seen_.fingers[i] = contacts[i].contact;
   const LiveModel::Times times = model_->follow(contacts);
-  viewer_.performance.deform_ms = times.deform_ms;
-  viewer_.performance.upload_ms = times.upload_ms;
+  seen_.performance.deform_ms = times.deform_ms;
+  seen_.performance.upload_ms = times.upload_ms;
 }
 
 void Viewer::processSamples() {
   trace::Sample sample;
   while (servo_.thread().pop(sample)) {
-    outputs_.addSample(viewer_, sample);
-    devices_.felt(sample, viewer_);
+    outputs_.addSample(sample);
+    devices_.felt(sample);
     for (const auto& mode : modes_) mode->feel(sample);
-    if (viewer_.replay.frozen) continue;  // a frozen moment stays
-    viewer_.plot(sample);
+    if (past_.replay.frozen) continue;  // a frozen moment stays
+    past_.plot(sample, holders_.device_limit_n);
     replay_.add(sample);
   }
 }
 
 /// Next to its second end, as seen from between the eyes.
 void Viewer::placeRulerLabel() {
-  Ruler& ruler = viewer_.ruler;
+  Ruler& ruler = seen_.ruler;
   if (ruler.ends.size() < 2) return;
   const Vec2 seen = view::seenAt(frustum(), ruler.ends[1].point);
-  ruler.label = seen.allFinite() ? Vec2(seen.cwiseProduct(viewer_.size_points)) : Vec2(0.5 * viewer_.size_points);
+  ruler.label = seen.allFinite() ? Vec2(seen.cwiseProduct(seen_.size_points)) : Vec2(0.5 * seen_.size_points);
 }
 
 void Viewer::updateTitle() {
-  std::string title = titleOf(viewer_);
+  std::string title = titleOf(edited_);
   if (!host_.set_title || title == title_ || modes_.claims().window) return;
   title_ = std::move(title);
   host_.set_title(title_);
 }
 
 void Viewer::useChanges(double elapsed_s) {
-  for (const Request& request : std::exchange(viewer_.output.requests, {})) requests_.handle(request);
+  for (const Request& request : std::exchange(user_.output.requests, {})) requests_.handle(request);
   requests_.advance();
-  devices_.advance(viewer_, *world_);
-  keeper_.advance(viewer_);
-  class_run_.advance(viewer_.now_s, viewer_.class_shown);
-  if (viewer_.state.shown.start && host_.activities) viewer_.activities = host_.activities();
+  devices_.advance(seen_.active_finger, *world_);
+  keeper_.advance(seen_.state.keeps_last_hour, edited_.scene.title, holders_.devices);
+  class_run_.advance(user_.now_s, user_.class_shown);
+  if (seen_.state.shown.start && host_.activities) user_.activities = host_.activities();
   for (const auto& mode : modes_) {
     mode->advance({viewer_, servo_, world_swap_, *world_, elapsed_s});
     quit_ = quit_ || mode->wantsToQuit();
   }
   quit_ = quit_ || requests_.quits();
-  world_swap_.advance(viewer_, servo_.thread());
-  if (const auto reading = replay_.progress()) viewer_.building = reading;
-  viewer_.output.changed = kNothing;
+  world_swap_.advance({edited_, holders_, user_, seen_.state.recent, servo_.thread()});
+  if (const auto reading = replay_.progress()) edited_.building = reading;
+  user_.output.changed = kNothing;
 }
 
 void Viewer::pointServo() {
   const RecordedTouch* recorded = replay_.recorded();
   for (std::size_t i = 0; i < kFingers; ++i) {
-    const device::FingerTarget target = pointer_.target(i, viewer_);
-    viewer_.finger_present[i] =
-        recorded != nullptr ? i < recorded->radius_mm.size() : target.present || servo_.isHeld(i);
+    const device::FingerTarget target = pointer_.target(i, seen_, edited_.scene);
+    seen_.finger_present[i] = recorded != nullptr ? i < recorded->radius_mm.size() : target.present || servo_.isHeld(i);
     servo_.point(i, target);
   }
   pointer_.targetsSent();
@@ -260,17 +261,17 @@ void Viewer::showCursor() {
 /// Pictures are saved without pop-ups, unless these were requested too.
 void Viewer::paintAndKeep(double scale) {
   const FrameParts parts{viewer_, *model_,  *world_, pointer_,          replay_, modes_,
-                         gui_,    *target_, stereo_, host_.quad_buffer, scale,   outputs_.wantsFrame(viewer_)};
-  const bool twice = outputs_.wantsNoPopUps(viewer_) && gui_.leavesOut(staysInPictures);
+                         gui_,    *target_, stereo_, host_.quad_buffer, scale,   outputs_.wantsFrame()};
+  const bool twice = outputs_.wantsNoPopUps() && gui_.leavesOut(staysInPictures);
   painter_.paint(parts, twice ? staysInPictures : nullptr);
-  outputs_.frameDrawn(viewer_, [this] { return target_->read(); });
+  outputs_.frameDrawn([this] { return target_->read(); });
   if (const auto picture = outputs_.popSavedPicture(); !picture.empty()) keeper_.attachPicture(picture);
   if (twice) painter_.paint(parts);
   if (!outputs_.popClearPictureRequest()) return;
   try {
-    outputs_.saveClearPicture(viewer_, painter_.paintClear(parts));
+    outputs_.saveClearPicture(painter_.paintClear(parts));
   } catch (const std::exception& error) {
-    viewer_.report(Severity::error, error.what());
+    user_.report(Severity::error, error.what());
   }
 }
 

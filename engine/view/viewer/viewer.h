@@ -75,7 +75,7 @@ class Viewer {
   const Pointer& pointer() const { return pointer_; }
   const scene::World& world() const { return model_->world(); }
   /// For an end without questions: saves a changed scene next to its source. Returns the file, or empty. Throws Error.
-  std::filesystem::path saveBackup() const { return outputs_.saveBackup(viewer_); }
+  std::filesystem::path saveBackup() const { return outputs_.saveBackup(edited_, seen_); }
   /// Ends the servo and returns its report of the whole run. The recording notes what ended it. Call nothing
   /// afterwards.
   servo::LoopReport finish(std::string_view ended_by = "done");
@@ -106,6 +106,11 @@ class Viewer {
   ViewerSettings settings_;
   ViewerHost host_;
   ViewerState viewer_;
+  EditedScene& edited_ = viewer_;
+  BodyView& seen_ = viewer_;
+  FingerHolders& holders_ = viewer_;
+  PastTouches& past_ = viewer_;
+  Conversation& user_ = viewer_;
   window::Input input_;
   Pointer pointer_;
   std::shared_ptr<const scene::World> world_;
@@ -132,7 +137,7 @@ class Viewer {
   view::Eyes eyes_;  ///< in this frame
   window::Theme theme_ = window::Theme::dark;
   double frame_s_ = 1.0 / 60.0;  ///< smoothed time between two frames
-  bool seen_ = false;            ///< the first frame was handled
+  bool looked_ = false;          ///< the first frame was handled
   bool own_cursor_ = false;      ///< drawn once for each eye, in place of the system's
   std::string title_;
   bool quit_ = false;

@@ -18,15 +18,15 @@ TEST(Eyesight, QuadBufferIsTakenBackWithAWordWhereItIsNotOffered) {
   ViewerState viewer;
   Eyesight eyesight(false);
   viewer.state.stereo.mode = StereoMode::anaglyph_dubois;
-  EXPECT_EQ(eyesight.settings(viewer).mode, StereoMode::anaglyph_dubois);
+  EXPECT_EQ(eyesight.settings(viewer, viewer).mode, StereoMode::anaglyph_dubois);
   viewer.state.stereo.mode = StereoMode::quad_buffer;
-  EXPECT_EQ(eyesight.settings(viewer).mode, StereoMode::anaglyph_dubois) << "the last mode that could be shown";
+  EXPECT_EQ(eyesight.settings(viewer, viewer).mode, StereoMode::anaglyph_dubois) << "the last mode that could be shown";
   EXPECT_EQ(viewer.state.stereo.mode, StereoMode::anaglyph_dubois);
   ASSERT_EQ(viewer.messages.all().size(), 1u);
   EXPECT_EQ(viewer.messages.all().back().text,
             "quad-buffer stereo is not offered here (it needs a window on a stereo visual); drawing anaglyph-dubois "
             "instead; a screen for shutter glasses needs `--stereo quad-buffer`");
-  eyesight.settings(viewer);
+  eyesight.settings(viewer, viewer);
   EXPECT_EQ(viewer.messages.all().size(), 1u) << "said once";
 }
 
@@ -34,7 +34,7 @@ TEST(Eyesight, QuadBufferStaysWhereItIsOffered) {
   ViewerState viewer;
   Eyesight eyesight(true);
   viewer.state.stereo.mode = StereoMode::quad_buffer;
-  EXPECT_EQ(eyesight.settings(viewer).mode, StereoMode::quad_buffer);
+  EXPECT_EQ(eyesight.settings(viewer, viewer).mode, StereoMode::quad_buffer);
   EXPECT_TRUE(viewer.messages.all().empty());
 }
 

@@ -31,7 +31,7 @@ class PointerOn : public testing::Test {
     command.at = at;
     command.by = by;
     command.amount = amount;
-    pointer.apply(command, viewer);
+    pointer.apply(command, viewer, viewer.now_s);
   }
 
   const support::TemporaryFolder folder;
@@ -52,24 +52,24 @@ TEST_F(PointerOn, ThePlaceIsAlwaysOnTheSkinAtRest) {
 
 TEST_F(PointerOn, AFingerBesideTheBodyIsNowhereUntilItComesOverIt) {
   send(Kind::hover, Vec2(5, 5));
-  EXPECT_FALSE(pointer.target(0, viewer).present);
+  EXPECT_FALSE(pointer.target(0, viewer, viewer.scene).present);
   send(Kind::hover, 0.5 * kSize);
-  EXPECT_TRUE(pointer.target(0, viewer).present);
-  EXPECT_FALSE(pointer.target(0, viewer).pressed);
+  EXPECT_TRUE(pointer.target(0, viewer, viewer.scene).present);
+  EXPECT_FALSE(pointer.target(0, viewer, viewer.scene).pressed);
   send(Kind::hover, Vec2(5, 5));
-  EXPECT_TRUE(pointer.target(0, viewer).present) << "it waits where it last was";
+  EXPECT_TRUE(pointer.target(0, viewer, viewer.scene).present) << "it waits where it last was";
 }
 
 TEST_F(PointerOn, ATapWithinOneFrameIsFeltUntilTheNext) {
   send(Kind::press, 0.5 * kSize);
   send(Kind::lift, 0.5 * kSize);
-  EXPECT_TRUE(pointer.target(0, viewer).pressed);
+  EXPECT_TRUE(pointer.target(0, viewer, viewer.scene).pressed);
   pointer.targetsSent();
-  EXPECT_FALSE(pointer.target(0, viewer).pressed);
+  EXPECT_FALSE(pointer.target(0, viewer, viewer.scene).pressed);
   send(Kind::press, 0.5 * kSize);
   pointer.targetsSent();
   send(Kind::lift, 0.5 * kSize);
-  EXPECT_FALSE(pointer.target(0, viewer).pressed) << "it was felt in the frame before";
+  EXPECT_FALSE(pointer.target(0, viewer, viewer.scene).pressed) << "it was felt in the frame before";
 }
 
 TEST_F(PointerOn, APressBesideTheBodyPressesNothing) {
@@ -116,7 +116,7 @@ TEST_F(PointerOn, NoPressGoesThroughAPanel) {
   command.kind = Kind::hold;
   command.at = 0.5 * kSize;  // the skin behind the panel
   command.over_gui = true;
-  pointer.apply(command, viewer);
+  pointer.apply(command, viewer, viewer.now_s);
   EXPECT_TRUE(pointer.pressed(0));
   EXPECT_EQ(pointer.placeOf(0)->point, seen);
 }
@@ -183,11 +183,11 @@ TEST_F(PointerOn, TheOtherFingerKeepsItsDepth) {
   window::Command take;
   take.kind = Kind::take_finger;
   take.finger = 1;
-  pointer.apply(take, viewer);
+  pointer.apply(take, viewer, viewer.now_s);
   viewer.state.touch.depth_mm = 9.0;
-  EXPECT_EQ(pointer.target(0, viewer).depth_mm, 3.0);
-  EXPECT_EQ(pointer.target(1, viewer).depth_mm, 9.0);
-  EXPECT_TRUE(pointer.target(0, viewer).pressed);
+  EXPECT_EQ(pointer.target(0, viewer, viewer.scene).depth_mm, 3.0);
+  EXPECT_EQ(pointer.target(1, viewer, viewer.scene).depth_mm, 9.0);
+  EXPECT_TRUE(pointer.target(0, viewer, viewer.scene).pressed);
 }
 
 TEST_F(PointerOn, InAHalfOfAStereoPictureTheCursorIsFoldedBack) {

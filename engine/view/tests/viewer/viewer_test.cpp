@@ -291,8 +291,8 @@ TEST(Viewer, WordsStayWholeInASmallWindow) {
 TEST(Outputs, MakesItsFolderWhenItIsFirstNeeded) {
   const support::TemporaryFolder folder;
   ViewerState viewer;
-  Outputs outputs(folder / "not" / "yet");
-  outputs.savePlots(viewer);
+  Outputs outputs(folder / "not" / "yet", viewer);
+  outputs.savePlots(viewer.plots);
   EXPECT_TRUE(fs::exists(folder / "not" / "yet" / "plots.csv")) << viewer.messages.all().back().text;
 }
 

@@ -50,7 +50,7 @@ struct AtWork {
   void advance(double now_s, std::uint32_t changed = kNothing) {
     viewer.now_s = now_s;
     viewer.output.changed = changed;
-    world_swap.advance(viewer, servo.thread());
+    world_swap.advance({viewer, viewer, viewer, viewer.state.recent, servo.thread()});
   }
   /// The next world that is shown; null after twenty seconds.
   std::shared_ptr<const scene::World> shown() {

@@ -60,50 +60,50 @@ DeviceControl::~DeviceControl() { give_up_ = true; }
 
 /// The scene may be another person's: access beyond this program needs consent, and a plugin of the file's own is
 /// refused.
-void DeviceControl::begin(ViewerState& viewer) {
-  publishHeldDevices(viewer);
+void DeviceControl::begin() {
+  publishHeldDevices();
   std::string names;
-  for (const scene::DeviceSettings& device : viewer.scene.devices) {
+  for (const scene::DeviceSettings& device : scene_.devices) {
     const auto finger = static_cast<std::size_t>(device.finger);
     if (servo_.isHeld(finger)) continue;
     try {
       if (device::deviceNamedInFile(device.name).back_end->is_inside) {
-        open(finger, device.name, viewer);
+        open(finger, device.name);
       } else {
         asked_.push_back({finger, device.name});
         names += (names.empty() ? "" : ", ") + oneLine(device.name);
       }
     } catch (const Error& error) {
-      viewer.report(Severity::error, error.what());
+      user_.report(Severity::error, error.what());
     }
   }
   if (asked_.empty()) return;
-  viewer.ask({.kind = Question::Kind::devices,
-              .words = trf("The scene wants to open {}: another program, a driver or a file. Open it only if you trust "
-                           "the author of the scene.",
-                           names),
-              .answers = {toTranslate("Keep the mouse"), toTranslate("Open"), toTranslate("Cancel")}});
+  user_.ask({.kind = Question::Kind::devices,
+             .words = trf("The scene wants to open {}: another program, a driver or a file. Open it only if you trust "
+                          "the author of the scene.",
+                          names),
+             .answers = {toTranslate("Keep the mouse"), toTranslate("Open"), toTranslate("Cancel")}});
 }
 
-void DeviceControl::openAsked(ViewerState& viewer) {
+void DeviceControl::openAsked() {
   for (const OpenDevice& asked : std::exchange(asked_, {})) {
-    if (!servo_.isHeld(asked.finger)) open(asked.finger, asked.words, viewer);
+    if (!servo_.isHeld(asked.finger)) open(asked.finger, asked.words);
   }
 }
 
-void DeviceControl::release(ViewerState& viewer) {
+void DeviceControl::release() {
   servo_.thread().emergencyStop().release();
-  viewer.report(Severity::info, "Emergency stop released: forces return once the tip has been off the skin");
+  user_.report(Severity::info, "Emergency stop released: forces return once the tip has been off the skin");
 }
 
-bool DeviceControl::handle(const window::InputEvent& event, bool text_wanted, ViewerState& viewer) {
+bool DeviceControl::handle(const window::InputEvent& event, bool text_wanted) {
   using Kind = window::InputEvent::Kind;
   if (event.kind == Kind::focus && !event.down) clutch_key_ = false;
   if (event.kind != Kind::key) return false;
   const bool pause = event.key == window::findBinding(window::Action::emergency_stop).chord.key;
   const bool space = event.key == window::Key::space && servo_.anyHeld() && !text_wanted;
   if (pause || space) {
-    if (event.down) stop(viewer);
+    if (event.down) stop();
     return true;
   }
   if (window::Chord{event.key, event.modifiers} != window::findBinding(window::Action::clutch).chord) return false;
@@ -112,64 +112,64 @@ bool DeviceControl::handle(const window::InputEvent& event, bool text_wanted, Vi
   return true;
 }
 
-void DeviceControl::stop(ViewerState& viewer) {
+void DeviceControl::stop() {
   servo_.thread().emergencyStop().press();
-  if (!viewer.devices.stopped) viewer.messages.note(kStopped, viewer.now_s);
-  viewer.devices.stopped = true;
+  if (!holders_.devices.stopped) user_.messages.note(kStopped, user_.now_s);
+  holders_.devices.stopped = true;
 }
 
-void DeviceControl::open(std::size_t finger, const std::string& words, ViewerState& viewer) {
-  FingerHeld& held = viewer.devices.fingers[finger];
-  if (opening_[finger].busy()) return viewer.report(Severity::info, trf("{} is still being opened", held.opening));
+void DeviceControl::open(std::size_t finger, const std::string& words) {
+  FingerHeld& held = holders_.devices.fingers[finger];
+  if (opening_[finger].busy()) return user_.report(Severity::info, trf("{} is still being opened", held.opening));
   device::OpenOptions options;
-  options.tick_s = 1.0 / viewer.ticks_per_s;
+  options.tick_s = 1.0 / holders_.ticks_per_s;
   options.give_up = &give_up_;
   if (opening_[finger].start([words, options] { return device::openNamed(words, options); })) held.opening = words;
 }
 
-void DeviceControl::adoptOpened(std::size_t finger, ViewerState& viewer, const scene::World& world) {
+void DeviceControl::adoptOpened(std::size_t finger, std::size_t& active_finger, const scene::World& world) {
   auto opened = opening_[finger].collectResult();
   if (!opened) return;
-  const std::string words = std::exchange(viewer.devices.fingers[finger].opening, {});
+  const std::string words = std::exchange(holders_.devices.fingers[finger].opening, {});
   if (!opened->value)
-    return viewer.report(Severity::error, trf("The mouse keeps the {} finger: {}",
-                                              tr(std::string(kFingerNames[finger]).c_str()), opened->error));
+    return user_.report(Severity::error, trf("The mouse keeps the {} finger: {}",
+                                             tr(std::string(kFingerNames[finger]).c_str()), opened->error));
   const std::string about = device::describe(*opened->value);
-  OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, viewer, world)};
-  const auto before = std::exchange(viewer.held, servo_.abilitiesWith(finger, &held));
+  OpenedDevice held{words, std::move(*opened->value), workspaceNow(finger, words, world)};
+  const auto before = std::exchange(holders_.held, servo_.abilitiesWith(finger, &held));
   try {
-    servo::requireStable(device::profileOf(viewer.scene.safety.device, held.device.capabilities), viewer.scene.safety,
-                         1.0 / viewer.ticks_per_s);
-    servo_.hold(finger, std::move(held), world_swap_.makePlan(viewer));
+    servo::requireStable(device::profileOf(scene_.safety.device, held.device.capabilities), scene_.safety,
+                         1.0 / holders_.ticks_per_s);
+    servo_.hold(finger, std::move(held), world_swap_.makePlan(scene_, holders_, user_));
   } catch (const Error& error) {
-    viewer.held = before;
-    return viewer.report(Severity::error, error.what());
+    holders_.held = before;
+    return user_.report(Severity::error, error.what());
   }
-  looks_[finger] = {.since_s = viewer.now_s};
-  viewer.devices.fingers[finger].interventions = {};
-  viewer.devices.fingers[finger].known_s = -1.0;  // belonged to the earlier device, if any
-  publishHeldDevices(viewer);
-  if (viewer.active_finger == finger && !servo_.isHeld(1 - finger)) viewer.active_finger = 1 - finger;
-  viewer.report(Severity::info,
-                trf("The {} finger is held by {}", tr(std::string(kFingerNames[finger]).c_str()), about));
+  looks_[finger] = {.since_s = user_.now_s};
+  holders_.devices.fingers[finger].interventions = {};
+  holders_.devices.fingers[finger].known_s = -1.0;  // belonged to the earlier device, if any
+  publishHeldDevices();
+  if (active_finger == finger && !servo_.isHeld(1 - finger)) active_finger = 1 - finger;
+  user_.report(Severity::info,
+               trf("The {} finger is held by {}", tr(std::string(kFingerNames[finger]).c_str()), about));
 }
 
-void DeviceControl::close(std::size_t finger, ViewerState& viewer) {
+void DeviceControl::close(std::size_t finger) {
   if (!servo_.isHeld(finger)) return;
   const std::string name = servo_.opened(finger).words;
-  viewer.held = servo_.abilitiesWith(finger, nullptr);
-  servo_.release(finger, world_swap_.makePlan(viewer));
-  viewer.devices.fingers[finger].trouble.clear();
-  if (viewer.devices.calibration.finger == finger) viewer.devices.calibration = {};
-  publishHeldDevices(viewer);
-  viewer.report(Severity::info, trf("{} is released; the mouse has the {} finger", name,
-                                    tr(std::string(kFingerNames[finger]).c_str())));
+  holders_.held = servo_.abilitiesWith(finger, nullptr);
+  servo_.release(finger, world_swap_.makePlan(scene_, holders_, user_));
+  holders_.devices.fingers[finger].trouble.clear();
+  if (holders_.devices.calibration.finger == finger) holders_.devices.calibration = {};
+  publishHeldDevices();
+  user_.report(Severity::info,
+               trf("{} is released; the mouse has the {} finger", name, tr(std::string(kFingerNames[finger]).c_str())));
 }
 
 /// The search opens a driver for a moment, so a held one is left alone.
-void DeviceControl::lookForBackEnds(ViewerState& viewer) {
+void DeviceControl::lookForBackEnds() {
   std::vector<std::string> held;
-  for (const FingerHeld& finger : viewer.devices.fingers) {
+  for (const FingerHeld& finger : holders_.devices.fingers) {
     held.push_back(finger.words);
     held.push_back(finger.opening);
   }
@@ -190,57 +190,55 @@ void DeviceControl::lookForBackEnds(ViewerState& viewer) {
     }
     return all;
   };
-  viewer.devices.looking = looking_.start(look) || viewer.devices.looking;
+  holders_.devices.looking = looking_.start(look) || holders_.devices.looking;
 }
 
-device::Workspace DeviceControl::workspaceNow(std::size_t finger, const std::string& words, const ViewerState& viewer,
-                                              const scene::World& world) {
-  const scene::DeviceSettings settings =
-      device::settingsOf(viewer.scene, words, finger).value_or(scene::DeviceSettings{});
+device::Workspace DeviceControl::workspaceNow(std::size_t finger, const std::string& words, const scene::World& world) {
+  const scene::DeviceSettings settings = device::settingsOf(scene_, words, finger).value_or(scene::DeviceSettings{});
   std::optional<Vec3>& origin = origins_[finger];
   if (!settings.origin_mm && !origin) origin = device::standardOrigin(world, words, finger);
   return device::workspaceOf(settings, origin.value_or(Vec3::Zero()));
 }
 
 /// After changes by panel, undo or another scene.
-void DeviceControl::placeDevices(ViewerState& viewer, const scene::World& world) {
+void DeviceControl::placeDevices(const scene::World& world) {
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (!servo_.isHeld(i)) continue;
     const double scale = servo_.opened(i).workspace.frame.mm;
-    const device::Workspace workspace = workspaceNow(i, servo_.opened(i).words, viewer, world);
+    const device::Workspace workspace = workspaceNow(i, servo_.opened(i).words, world);
     if (!servo_.place(i, workspace) || workspace.frame.mm == scale) continue;
-    viewer.held = servo_.abilities();
-    viewer.output.changed |= kFingerChange;
+    holders_.held = servo_.abilities();
+    user_.output.changed |= kFingerChange;
   }
 }
 
-void DeviceControl::publishHeldDevices(ViewerState& viewer) const {
+void DeviceControl::publishHeldDevices() const {
   std::string who;
   for (std::size_t i = 0; i < kFingers; ++i) {
-    FingerHeld& finger = viewer.devices.fingers[i];
+    FingerHeld& finger = holders_.devices.fingers[i];
     finger.words = servo_.isHeld(i) ? servo_.opened(i).words : std::string();
     finger.about = servo_.isHeld(i) ? device::describe(servo_.opened(i).device) : std::string();
     finger.able = servo_.isHeld(i) ? servo_.opened(i).device.capabilities : device::Capabilities{};
     if (!servo_.isHeld(i)) finger.clutch = false;
     if (servo_.isHeld(i)) who += (who.empty() ? "" : ", ") + servo_.opened(i).device.name;
   }
-  viewer.held_by = who.empty() ? "mouse" : who;
+  holders_.held_by = who.empty() ? "mouse" : who;
 }
 
-void DeviceControl::reportTrouble(std::size_t finger, std::string trouble, ViewerState& viewer) {
+void DeviceControl::reportTrouble(std::size_t finger, std::string trouble) {
   if (!servo_.isHeld(finger)) return;
-  const std::string was = std::exchange(viewer.devices.fingers[finger].trouble, std::move(trouble));
-  const std::string& is = viewer.devices.fingers[finger].trouble;
-  if (is.empty() && !was.empty()) viewer.report(Severity::info, trf("{} has reconnected", servo_.opened(finger).words));
-  if (!is.empty() && was.empty()) viewer.report(Severity::warning, is);
+  const std::string was = std::exchange(holders_.devices.fingers[finger].trouble, std::move(trouble));
+  const std::string& is = holders_.devices.fingers[finger].trouble;
+  if (is.empty() && !was.empty()) user_.report(Severity::info, trf("{} has reconnected", servo_.opened(finger).words));
+  if (!is.empty() && was.empty()) user_.report(Severity::warning, is);
 }
 
 /// Once a second, on its own thread: the search for a lost device may keep its driver busy.
-void DeviceControl::tend(ViewerState& viewer) {
+void DeviceControl::tend() {
   if (const auto troubles = tending_.collectResult(); troubles && troubles->value) {
-    for (std::size_t i = 0; i < kFingers; ++i) reportTrouble(i, (*troubles->value)[i], viewer);
+    for (std::size_t i = 0; i < kFingers; ++i) reportTrouble(i, (*troubles->value)[i]);
   }
-  if (viewer.now_s < tended_s_ + kTendedEveryS || !servo_.anyHeld()) return;
+  if (user_.now_s < tended_s_ + kTendedEveryS || !servo_.anyHeld()) return;
   std::array<device::Device, kFingers> devices;
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (servo_.isHeld(i)) devices[i] = servo_.device(i);
@@ -253,32 +251,32 @@ void DeviceControl::tend(ViewerState& viewer) {
     }
     return troubles;
   };
-  if (tending_.start(look)) tended_s_ = viewer.now_s;
+  if (tending_.start(look)) tended_s_ = user_.now_s;
 }
 
-void DeviceControl::felt(const trace::Sample& sample, ViewerState& viewer) {
+void DeviceControl::felt(const trace::Sample& sample) {
   if (!servo_.isHeld(sample.finger)) return;
-  viewer.devices.fingers[sample.finger].interventions.add(sample.safety, viewer.now_s);
+  holders_.devices.fingers[sample.finger].interventions.add(sample.safety, user_.now_s);
   Look& look = looks_[sample.finger];
   look.most_loss_n_mm = std::max(look.most_loss_n_mm, sample.loss_n_mm);
 }
 
-void DeviceControl::readState(std::size_t finger, ViewerState& viewer) {
+void DeviceControl::readState(std::size_t finger) {
   constexpr double kLookS = 1.0;
-  FingerHeld& held = viewer.devices.fingers[finger];
+  FingerHeld& held = holders_.devices.fingers[finger];
   held.workspace = servo_.opened(finger).workspace;
   held.reading = servo_.reading(finger);
-  updateKnownPlace(held, viewer.now_s);
+  updateKnownPlace(held, user_.now_s);
   Look& look = looks_[finger];
-  const double seconds = viewer.now_s - look.since_s;
+  const double seconds = user_.now_s - look.since_s;
   if (seconds < kLookS) return;
   held.positions_per_s = static_cast<double>(held.reading.fresh - look.fresh) / seconds;
   held.most_loss_n_mm = look.most_loss_n_mm;
-  look = {.since_s = viewer.now_s, .fresh = held.reading.fresh};
+  look = {.since_s = user_.now_s, .fresh = held.reading.fresh};
 }
 
-void DeviceControl::advance(ViewerState& viewer, const scene::World& world) {
-  DevicesShown& shown = viewer.devices;
+void DeviceControl::advance(std::size_t& active_finger, const scene::World& world) {
+  DevicesShown& shown = holders_.devices;
   if (auto looked = looking_.collectResult()) {
     shown.looking = false;
     const bool first = shown.back_ends.empty();
@@ -288,16 +286,16 @@ void DeviceControl::advance(ViewerState& viewer, const scene::World& world) {
     }
   }
   for (std::size_t i = 0; i < kFingers; ++i) {
-    adoptOpened(i, viewer, world);
+    adoptOpened(i, active_finger, world);
     const bool calibrated = shown.calibration.finger == i;
     servo_.clutch(i, clutch_key_ || shown.fingers[i].clutch || calibrated);
-    if (servo_.isHeld(i)) readState(i, viewer);
+    if (servo_.isHeld(i)) readState(i);
   }
-  placeDevices(viewer, world);
-  tend(viewer);
+  placeDevices(world);
+  tend();
   const bool pressed = servo_.thread().emergencyStop().pressed();
   // By a device's own button, or a signal.
-  if (pressed && !shown.stopped) viewer.messages.note(kStopped, viewer.now_s);
+  if (pressed && !shown.stopped) user_.messages.note(kStopped, user_.now_s);
   shown.stopped = pressed;
   if (closing_.busy()) {
     closing_.collectResult();

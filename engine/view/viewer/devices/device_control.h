@@ -19,8 +19,10 @@ namespace palpate::viewer {
 /// The limits, the names of the fingers' holders and the panel follow the servo's state.
 class DeviceControl {
  public:
-  /// Both must outlive it.
-  DeviceControl(LiveServo& servo, WorldSwap& world_swap) : servo_(servo), world_swap_(world_swap) {}
+  /// All must outlive it.
+  DeviceControl(LiveServo& servo, WorldSwap& world_swap, const scene::Scene& scene, FingerHolders& holders,
+                Conversation& user)
+      : servo_(servo), world_swap_(world_swap), scene_(scene), holders_(holders), user_(user) {}
   /// Abandons devices that are still being opened.
   ~DeviceControl();
   DeviceControl(const DeviceControl&) = delete;
@@ -28,20 +30,20 @@ class DeviceControl {
 
   /// Adopts the devices that the window began with; opens those that the scene names, after a question where they reach
   /// beyond this program.
-  void begin(ViewerState& viewer);
+  void begin();
   /// Opens the devices of `begin`'s question, whatever the scene says by now.
-  void openAsked(ViewerState& viewer);
-  void open(std::size_t finger, const std::string& words, ViewerState& viewer);
-  void close(std::size_t finger, ViewerState& viewer);
-  void lookForBackEnds(ViewerState& viewer);
-  void stop(ViewerState& viewer);
-  void release(ViewerState& viewer);
+  void openAsked();
+  void open(std::size_t finger, const std::string& words);
+  void close(std::size_t finger);
+  void lookForBackEnds();
+  void stop();
+  void release();
   /// Returns true if the event was only the emergency stop's or the clutch's. The stop works in every state.
-  bool handle(const window::InputEvent& event, bool text_wanted, ViewerState& viewer);
+  bool handle(const window::InputEvent& event, bool text_wanted);
   /// One tick of a finger.
-  void felt(const trace::Sample& sample, ViewerState& viewer);
+  void felt(const trace::Sample& sample);
   /// Once a frame, before changes of the scene take effect.
-  void advance(ViewerState& viewer, const scene::World& world);
+  void advance(std::size_t& active_finger, const scene::World& world);
   /// Another body, or a scene read: devices without a place are put next to it.
   void bodyChanged() { origins_ = {}; }
 
@@ -52,17 +54,19 @@ class DeviceControl {
     double most_loss_n_mm = 0.0;
   };
 
-  void adoptOpened(std::size_t finger, ViewerState& viewer, const scene::World& world);
-  void placeDevices(ViewerState& viewer, const scene::World& world);
-  device::Workspace workspaceNow(std::size_t finger, const std::string& words, const ViewerState& viewer,
-                                 const scene::World& world);
-  void publishHeldDevices(ViewerState& viewer) const;
-  void tend(ViewerState& viewer);
-  void reportTrouble(std::size_t finger, std::string trouble, ViewerState& viewer);
-  void readState(std::size_t finger, ViewerState& viewer);
+  void adoptOpened(std::size_t finger, std::size_t& active_finger, const scene::World& world);
+  void placeDevices(const scene::World& world);
+  device::Workspace workspaceNow(std::size_t finger, const std::string& words, const scene::World& world);
+  void publishHeldDevices() const;
+  void tend();
+  void reportTrouble(std::size_t finger, std::string trouble);
+  void readState(std::size_t finger);
 
   LiveServo& servo_;
   WorldSwap& world_swap_;
+  const scene::Scene& scene_;
+  FingerHolders& holders_;
+  Conversation& user_;
   bool clutch_key_ = false;
   std::vector<OpenDevice> asked_;                      ///< named in the open question
   std::array<std::optional<Vec3>, kFingers> origins_;  ///< default origins; computed when needed

@@ -88,58 +88,58 @@ std::optional<Request> requestFor(Action action) {
   }
 }
 
-void nextStereoMode(ViewerState& viewer) {
-  auto& mode = viewer.state.stereo.mode;
+void nextStereoMode(BodyView& seen, Conversation& user) {
+  auto& mode = seen.state.stereo.mode;
   auto next = (static_cast<std::size_t>(mode) + 1) % view::kStereoModeNames.size();
   const bool quad_buffer = static_cast<view::StereoMode>(next) == view::StereoMode::quad_buffer;
-  if (quad_buffer && !viewer.quad_buffer_offered) next = 0;
+  if (quad_buffer && !seen.quad_buffer_offered) next = 0;
   mode = static_cast<view::StereoMode>(next);
-  viewer.report(Severity::info, trf("Stereo: {}", tr(std::string(view::kStereoModeNames[next]).c_str())));
+  user.report(Severity::info, trf("Stereo: {}", tr(std::string(view::kStereoModeNames[next]).c_str())));
 }
 
-void leaveEditors(ViewerState& viewer) {
-  if (viewer.editor.active) stopEditing(viewer.dysfunctions());
-  if (viewer.lump_editor.active) stopEditing(viewer.lumps());
+void leaveEditors(EditedScene& edited, UiOutput& output) {
+  if (edited.editor.active) stopEditing(edited.dysfunctions(output));
+  if (edited.lump_editor.active) stopEditing(edited.lumps(output));
 }
 
 /// Deletes lumps while they are edited, or where only one of them is selected.
-void deleteSelection(ViewerState& viewer) {
-  const bool of_lumps = viewer.lump_editor.active || (!viewer.editor.active && viewer.editor.selected < 0);
-  of_lumps ? deleteSelected(viewer.lumps()) : deleteSelected(viewer.dysfunctions());
+void deleteSelection(EditedScene& edited, UiOutput& output) {
+  const bool of_lumps = edited.lump_editor.active || (!edited.editor.active && edited.editor.selected < 0);
+  of_lumps ? deleteSelected(edited.lumps(output)) : deleteSelected(edited.dysfunctions(output));
 }
 
 /// Starts again, or sets an end; the editor uses the same button.
-void startMeasuring(ViewerState& viewer) {
-  const bool on = !viewer.ruler.active;
-  if (on) leaveEditors(viewer);
-  viewer.ruler = {};
-  viewer.ruler.active = on;
+void startMeasuring(Ruler& ruler, EditedScene& edited, UiOutput& output) {
+  const bool on = !ruler.active;
+  if (on) leaveEditors(edited, output);
+  ruler = {};
+  ruler.active = on;
 }
 
 /// Steps of the speed of time.
 constexpr std::array<double, 7> kTimeSpeeds = {0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
 
-void changeTimeSpeed(ViewerState& viewer, int step) {
-  const auto at = std::lower_bound(kTimeSpeeds.begin(), kTimeSpeeds.end(), viewer.time_speed - 1e-6);
+void changeTimeSpeed(double& speed, int step, Conversation& user) {
+  const auto at = std::lower_bound(kTimeSpeeds.begin(), kTimeSpeeds.end(), speed - 1e-6);
   const auto now = static_cast<int>(at - kTimeSpeeds.begin());
   const int next = std::clamp(now + step, 0, static_cast<int>(kTimeSpeeds.size()) - 1);
-  viewer.time_speed = kTimeSpeeds[static_cast<std::size_t>(next)];
-  viewer.report(Severity::info, trf("Playback speed x{:g}", viewer.time_speed));
+  speed = kTimeSpeeds[static_cast<std::size_t>(next)];
+  user.report(Severity::info, trf("Playback speed x{:g}", speed));
 }
 
 /// Escape leaves the innermost thing: a page, then the editor. It never quits. Dialogs handle it themselves.
-void cancel(ViewerState& viewer) {
-  Shown& shown = viewer.state.shown;
+void cancel(EditedScene& edited, BodyView& seen, UiOutput& output) {
+  Shown& shown = seen.state.shown;
   if (shown.help) {
     shown.help = false;
   } else if (shown.messages) {
     shown.messages = false;
-  } else if (viewer.editing()) {
-    leaveEditors(viewer);
-  } else if (viewer.ruler.active) {
-    viewer.ruler = {};
-  } else if (viewer.building) {
-    viewer.request(CancelBuild{});
+  } else if (edited.editing()) {
+    leaveEditors(edited, output);
+  } else if (seen.ruler.active) {
+    seen.ruler = {};
+  } else if (edited.building) {
+    output.request(CancelBuild{});
   }
 }
 
@@ -154,13 +154,15 @@ double nextOpacity(double opacity) {
 }
 
 void perform(Action action, ViewerState& viewer) {
-  view::Look& look = viewer.state.look;
+  EditedScene& edited = viewer;
+  BodyView& seen = viewer;
+  view::Look& look = seen.state.look;
   if (const auto overlay = window::overlayFor(action)) return look.show(*overlay, !look.shows(*overlay));
   if (const auto colouring = window::colouringFor(action)) {
     look.colouring = look.colouring == *colouring ? view::Colouring::plain : *colouring;
     return;
   }
-  if (action == Action::measure) return startMeasuring(viewer);
+  if (action == Action::measure) return startMeasuring(seen.ruler, edited, viewer.output);
   if (action == Action::freeze) return freeze(viewer.replay, !viewer.replay.frozen);
   if (bool* on = findSwitch(action, viewer)) {
     *on = !*on;
@@ -172,11 +174,11 @@ void perform(Action action, ViewerState& viewer) {
       look.skin_opacity = nextOpacity(look.skin_opacity);
       return;
     case Action::stereo_mode:
-      return nextStereoMode(viewer);
+      return nextStereoMode(seen, viewer);
     case Action::slower:
-      return changeTimeSpeed(viewer, -1);
+      return changeTimeSpeed(viewer.time_speed, -1, viewer);
     case Action::faster:
-      return changeTimeSpeed(viewer, 1);
+      return changeTimeSpeed(viewer.time_speed, 1, viewer);
     case Action::open:
       viewer.state.shown.open_dialog = true;
       return;
@@ -187,9 +189,9 @@ void perform(Action action, ViewerState& viewer) {
       viewer.state.shown.save_dialog = true;
       return;
     case Action::delete_selected:
-      return deleteSelection(viewer);
+      return deleteSelection(edited, viewer.output);
     case Action::cancel:
-      return cancel(viewer);
+      return cancel(edited, seen, viewer.output);
     case Action::measure_person:  // no mode has handled it
       return viewer.report(Severity::info, "This window cannot measure photographs");
     default:

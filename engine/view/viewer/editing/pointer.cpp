@@ -66,13 +66,12 @@ void Pointer::hover(std::size_t finger, const Vec2& pixel) {
 
 void Pointer::press(Finger& finger) { finger.pressed = finger.fresh = finger.place.has_value(); }
 
-Vec3 Pointer::pivotAt(const Vec2& pixel, const ViewerState& viewer) const {
+Vec3 Pointer::pivotAt(const Vec2& pixel, const view::Camera& camera) const {
   const auto place = skinAt(pixel);
-  return place ? place->point : viewer.camera.centre;
+  return place ? place->point : camera.centre;
 }
 
-void Pointer::deepen(ViewerState& viewer, double notches) {
-  TouchSettings& touch = viewer.state.touch;
+void Pointer::deepen(TouchSettings& touch, double notches) {
   if (touch.by == device::PressBy::force) {
     touch.force_n = std::clamp(touch.force_n + notches * kForcePerNotchN, 0.0, kMaxForceN);
   } else {
@@ -80,9 +79,9 @@ void Pointer::deepen(ViewerState& viewer, double notches) {
   }
 }
 
-bool Pointer::apply(const window::Command& command, ViewerState& viewer) {
-  const std::size_t active = viewer.active_finger;
-  view::Camera& camera = viewer.camera;
+bool Pointer::apply(const window::Command& command, BodyView& seen, double now_s) {
+  const std::size_t active = seen.active_finger;
+  view::Camera& camera = seen.camera;
   switch (command.kind) {
     case Kind::hover:
       hover(active, command.at);
@@ -108,47 +107,47 @@ bool Pointer::apply(const window::Command& command, ViewerState& viewer) {
       return true;
     case Kind::take_finger:
       // The other finger keeps its target depth.
-      fingers_[active].depth_mm = viewer.state.touch.depth_mm;
-      fingers_[active].force_n = viewer.state.touch.force_n;
-      viewer.active_finger = command.finger;
+      fingers_[active].depth_mm = seen.state.touch.depth_mm;
+      fingers_[active].force_n = seen.state.touch.force_n;
+      seen.active_finger = command.finger;
       return true;
     case Kind::deepen: {
-      const double force = viewer.fingers[active].force.norm();
-      const bool resists = viewer.state.touch.resisting_cursor && command.amount != std::round(command.amount);
-      deepen(viewer, command.amount / (resists ? 1.0 + force / kHalfSpeedN : 1.0));
+      const double force = seen.fingers[active].force.norm();
+      const bool resists = seen.state.touch.resisting_cursor && command.amount != std::round(command.amount);
+      deepen(seen.state.touch, command.amount / (resists ? 1.0 + force / kHalfSpeedN : 1.0));
       return true;
     }
     case Kind::grab:
       flight_.reset();
-      pivot_ = pivotAt(command.at, viewer);
+      pivot_ = pivotAt(command.at, camera);
       return true;
     case Kind::orbit:
       camera = view::orbited(camera, pivot_, command.by, screen_.size.y());
-      viewer.opened.camera_moved = true;
+      seen.opened.camera_moved = true;
       return true;
     case Kind::pan:
       camera = view::panned(camera, pivot_, command.by, screen_.size.y());
-      viewer.opened.camera_moved = true;
+      seen.opened.camera_moved = true;
       return true;
     case Kind::zoom:
       flight_.reset();
-      camera = view::zoomed(camera, pivotAt(command.at, viewer), command.amount);
-      viewer.opened.camera_moved = true;
+      camera = view::zoomed(camera, pivotAt(command.at, camera), command.amount);
+      seen.opened.camera_moved = true;
       return true;
     case Kind::centre:
       if (const auto place = skinAt(command.at))
-        fly(centredInFreePart(camera, place->point, viewer.state.shown, viewer.size_points), viewer, kCentreFlightS);
-      viewer.opened.camera_moved = true;
+        fly(centredInFreePart(camera, place->point, seen.state.shown, seen.size_points), seen, now_s, kCentreFlightS);
+      seen.opened.camera_moved = true;
       return true;
     default:
       return false;
   }
 }
 
-bool Pointer::step(window::Action action, bool fine, ViewerState& viewer) {
+bool Pointer::step(window::Action action, bool fine, const BodyView& seen) {
   using window::Action;
   Vec3 direction;
-  const view::Camera& camera = viewer.camera;
+  const view::Camera& camera = seen.camera;
   switch (action) {
     case Action::ring_left:
       direction = -camera.right();
@@ -165,7 +164,7 @@ bool Pointer::step(window::Action action, bool fine, ViewerState& viewer) {
     default:
       return false;
   }
-  Finger& finger = fingers_[viewer.active_finger];
+  Finger& finger = fingers_[seen.active_finger];
   if (!finger.place) finger.place = skinAt(0.5 * screen_.size);
   if (!finger.place || !world_) return true;
   const Vec3 wanted = finger.place->point + (fine ? kFineRingStepMm : kRingStepMm) * direction;
@@ -195,18 +194,18 @@ void Pointer::rest(Finger& finger, const SkinPlace& place) {
   finger.named = false;
 }
 
-device::FingerTarget Pointer::target(std::size_t finger, const ViewerState& viewer) const {
+device::FingerTarget Pointer::target(std::size_t finger, const BodyView& seen, const scene::Scene& scene) const {
   const Finger& from = fingers_[finger];
-  const TouchSettings& touch = viewer.state.touch;
-  const bool active = finger == viewer.active_finger;
+  const TouchSettings& touch = seen.state.touch;
+  const bool active = finger == seen.active_finger;
   device::FingerTarget target;
   target.present = from.place.has_value();
   target.pressed = from.pressed || from.tapped;
   target.by = touch.by;
   target.depth_mm = active ? touch.depth_mm : from.depth_mm;
   target.force_n = active ? touch.force_n : from.force_n;
-  target.max_depth_mm = std::min(kMaxDepthMm, viewer.scene.contact.finger.max_depth_mm);
-  target.radius_mm = fingerRadius(viewer.scene, finger);
+  target.max_depth_mm = std::min(kMaxDepthMm, scene.contact.finger.max_depth_mm);
+  target.radius_mm = fingerRadius(scene, finger);
   if (from.place) {
     target.place = from.place->point;
     target.normal = from.place->normal;
@@ -218,14 +217,14 @@ void Pointer::targetsSent() {
   for (Finger& finger : fingers_) finger.fresh = finger.tapped = false;
 }
 
-void Pointer::fly(const view::Camera& to, const ViewerState& viewer, double seconds) {
-  flight_ = Flight{viewer.camera, to, viewer.now_s, viewer.state.reduced_motion ? 0.0 : seconds};
+void Pointer::fly(const view::Camera& to, const BodyView& seen, double now_s, double seconds) {
+  flight_ = Flight{seen.camera, to, now_s, seen.state.reduced_motion ? 0.0 : seconds};
 }
 
-void Pointer::advance(ViewerState& viewer) {
+void Pointer::advance(BodyView& seen, double now_s) {
   if (!flight_) return;
-  const double share = flight_->seconds > 0.0 ? (viewer.now_s - flight_->start_s) / flight_->seconds : 1.0;
-  viewer.camera = view::between(flight_->from, flight_->to, share);
+  const double share = flight_->seconds > 0.0 ? (now_s - flight_->start_s) / flight_->seconds : 1.0;
+  seen.camera = view::between(flight_->from, flight_->to, share);
   if (share >= 1.0) flight_.reset();
 }
 

@@ -36,16 +36,16 @@ class Pointer {
 
   /// Returns true if the command was about a finger or the camera, and then it is done; false for actions and the
   /// editor's.
-  bool apply(const window::Command& command, ViewerState& viewer);
+  bool apply(const window::Command& command, BodyView& seen, double now_s);
   /// A ring step of the keyboard.
-  bool step(window::Action action, bool fine, ViewerState& viewer);
+  bool step(window::Action action, bool fine, const BodyView& seen);
   /// Presses without a user: the first seconds' demonstration.
   void demonstrate(std::size_t finger, const SkinPlace& place, bool pressed);
   /// Puts a finger at a named place: it waits there, whatever is under the mouse, until that really moves.
   void put(std::size_t finger, const SkinPlace& place);
 
   /// The target for the servo. Depth, force and radius come from the settings.
-  device::FingerTarget target(std::size_t finger, const ViewerState& viewer) const;
+  device::FingerTarget target(std::size_t finger, const BodyView& seen, const scene::Scene& scene) const;
   const std::optional<SkinPlace>& placeOf(std::size_t finger) const { return fingers_[finger].place; }
   /// Whether it waits, or presses, where it was put, until the mouse leads it elsewhere.
   bool isAtNamedPlace(std::size_t finger) const { return fingers_[finger].named; }
@@ -53,9 +53,9 @@ class Pointer {
   /// Once a frame, after all targets were sent: a tap that began and ended within the frame has been felt.
   void targetsSent();
   /// Sends the camera to another view; immediately with reduced motion.
-  void fly(const view::Camera& to, const ViewerState& viewer, double seconds);
+  void fly(const view::Camera& to, const BodyView& seen, double now_s, double seconds);
   /// Once a frame: advances the camera's flight.
-  void advance(ViewerState& viewer);
+  void advance(BodyView& seen, double now_s);
 
  private:
   struct Finger {
@@ -74,8 +74,8 @@ class Pointer {
   void hover(std::size_t finger, const Vec2& pixel);
   static void press(Finger& finger);
   void rest(Finger& finger, const SkinPlace& place);
-  void deepen(ViewerState& viewer, double notches);
-  Vec3 pivotAt(const Vec2& pixel, const ViewerState& viewer) const;
+  static void deepen(TouchSettings& touch, double notches);
+  Vec3 pivotAt(const Vec2& pixel, const view::Camera& camera) const;
 
   PickScreen screen_;
   std::shared_ptr<const scene::World> world_;
@@ -97,13 +97,15 @@ inline constexpr std::array<view::Paint, kFingers> kFingerPaint = {{{110, 165, 2
 
 /// A ring under each finger that has been over the skin, as large as the finger, tilted with the skin; thicker the
 /// deeper it presses. A wider one round a named place, which the finger would hide.
-std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& pointer);
+std::vector<view::Lines> fingerRings(const BodyView& seen, const scene::Scene& scene, const Pointer& pointer);
 
 /// The rims of the dysfunctions on the skin; the selected one bold. With the pointer on free skin, dashed: the one that
 /// a click would place.
-std::vector<view::Lines> dysfunctionRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world);
+std::vector<view::Lines> dysfunctionRings(const DysfunctionEdit& edit, const std::optional<SkinPlace>& under,
+                                          const scene::World& world);
 
 /// The same for lumps, as wide as they are.
-std::vector<view::Lines> lumpRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world);
+std::vector<view::Lines> lumpRings(const LumpEdit& edit, const std::optional<SkinPlace>& under,
+                                   const scene::World& world);
 
 }  // namespace palpate::viewer

@@ -83,25 +83,27 @@ std::vector<view::Lines> makeItemRings(const PlaceEdit<Item>& edit, const std::o
 
 }  // namespace
 
-std::vector<view::Lines> fingerRings(const ViewerState& viewer, const Pointer& pointer) {
+std::vector<view::Lines> fingerRings(const BodyView& seen, const scene::Scene& scene, const Pointer& pointer) {
   std::vector<view::Lines> rings;
   for (std::size_t i = 0; i < kFingers; ++i) {
     const auto& place = pointer.placeOf(i);
     if (!place) continue;
-    const double radius = std::max(kPointRadiusMm, fingerRadius(viewer.scene, i));
-    const double depth = std::clamp(viewer.fingers[i].depth_mm, 0.0, 10.0);
+    const double radius = std::max(kPointRadiusMm, fingerRadius(scene, i));
+    const double depth = std::clamp(seen.fingers[i].depth_mm, 0.0, 10.0);
     rings.push_back(ringOn(*place, radius, 1.6 + 0.25 * depth, kFingerPaint[i]));
     if (pointer.isAtNamedPlace(i)) rings.push_back(ringOn(*place, kNamedPlaceMm, 2.0, kFingerPaint[i]));
   }
   return rings;
 }
 
-std::vector<view::Lines> dysfunctionRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world) {
-  return makeItemRings(viewer.dysfunctions(), pointer.placeOf(viewer.active_finger), world, kDysfunctionPaint);
+std::vector<view::Lines> dysfunctionRings(const DysfunctionEdit& edit, const std::optional<SkinPlace>& under,
+                                          const scene::World& world) {
+  return makeItemRings(edit, under, world, kDysfunctionPaint);
 }
 
-std::vector<view::Lines> lumpRings(ViewerState& viewer, const Pointer& pointer, const scene::World& world) {
-  return makeItemRings(viewer.lumps(), pointer.placeOf(viewer.active_finger), world, kLumpRingPaint);
+std::vector<view::Lines> lumpRings(const LumpEdit& edit, const std::optional<SkinPlace>& under,
+                                   const scene::World& world) {
+  return makeItemRings(edit, under, world, kLumpRingPaint);
 }
 
 }  // namespace palpate::viewer

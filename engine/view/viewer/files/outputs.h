@@ -75,67 +75,68 @@ std::filesystem::path freshFile(const std::filesystem::path& folder, const std::
 
 class Outputs {
  public:
-  explicit Outputs(const std::filesystem::path& folder)
-      : folder_(std::filesystem::absolute(folder).lexically_normal()) {}
+  /// The user must outlive it.
+  Outputs(const std::filesystem::path& folder, Conversation& user)
+      : folder_(std::filesystem::absolute(folder).lexically_normal()), user_(user) {}
   ~Outputs();
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
 
   /// Adds to the running recording, if any. A full or missing disk ends it, and keeps the ticks so far.
-  void addSample(ViewerState& viewer, const trace::Sample& sample);
-  void toggleForces(ViewerState& viewer);
-  void toggleSequence(ViewerState& viewer);
-  void savePlots(ViewerState& viewer);
+  void addSample(const trace::Sample& sample);
+  void toggleForces(double ticks_per_s);
+  void toggleSequence();
+  void savePlots(const Plots& plots);
   enum class Saving : std::uint8_t { done, asked, failed };
   /// Saves to the request's file, else to the scene's own, else to a fresh name in the folder. Asks before it
   /// overwrites a file that this window has neither read nor written, unless the request is sure.
-  Saving saveScene(ViewerState& viewer, const SaveScene& request);
+  Saving saveScene(const SaveScene& request, EditedScene& edited, BodyView& seen);
   /// Writes the drawn displacement profile to a file and has the scene use it.
-  void useProfile(ViewerState& viewer);
+  void useProfile(EditedScene& edited);
   void askForScreenshot(TakeScreenshot request) { screenshot_ = std::move(request); }
   /// Never throws: a failure becomes a message. Does not wait for the disk.
-  void startFilm(ViewerState& viewer, const std::string& file);
-  void stopFilm(ViewerState& viewer);
+  void startFilm(const std::string& file);
+  void stopFilm();
   /// The body alone, without a background.
   void askForClearPicture() { clear_picture_ = true; }
   /// Whether it was requested in this frame; resets the request.
   bool popClearPictureRequest() { return std::exchange(clear_picture_, false); }
   /// Whether the picture of this frame is saved without pop-ups. Pictures of a sequence never have them.
-  bool wantsNoPopUps(const ViewerState& viewer) const {
+  bool wantsNoPopUps() const {
     if (screenshot_) return !screenshot_->with_pop_ups;
-    return viewer.recording.sequence || film_.wants(viewer.now_s);
+    return user_.recording.sequence || film_.wants(user_.now_s);
   }
   /// Whether the picture of this frame is saved.
-  bool wantsFrame(const ViewerState& viewer) const {
-    return screenshot_ || viewer.recording.sequence || film_.wants(viewer.now_s);
-  }
+  bool wantsFrame() const { return screenshot_ || user_.recording.sequence || film_.wants(user_.now_s); }
   /// The picture saved since the last call, or empty.
   std::filesystem::path popSavedPicture() { return std::exchange(saved_picture_, {}); }
-  void saveClearPicture(ViewerState& viewer, const view::CutOut& picture);
+  void saveClearPicture(const view::CutOut& picture);
   const std::filesystem::path& folder() const { return folder_; }
 
   /// Call after a frame was drawn; `read` fetches it if it is needed.
   template <class Read>
-  void frameDrawn(ViewerState& viewer, const Read& read) {
-    if (wantsFrame(viewer)) saveFrame(viewer, read());
-    followFilm(viewer);
-    reportErrors(viewer);
+  void frameDrawn(const Read& read) {
+    if (wantsFrame()) saveFrame(read());
+    followFilm();
+    reportErrors();
   }
 
   /// Saves a changed scene without a question next to its source, under a fresh name (scene-backup.toml). Returns the
   /// file, or empty without changes. Throws Error.
-  std::filesystem::path saveBackup(const ViewerState& viewer) const;
+  std::filesystem::path saveBackup(const EditedScene& edited, const BodyView& seen) const;
 
   /// Completes the running recordings.
-  void finish(ViewerState& viewer);
+  void finish();
 
  private:
-  void endBrokenForces(ViewerState& viewer, const std::string& why);
-  void saveFrame(ViewerState& viewer, view::Image image);
-  void reportErrors(ViewerState& viewer);
-  void followFilm(ViewerState& viewer);
+  void stopForces();
+  void endBrokenForces(const std::string& why);
+  void saveFrame(view::Image image);
+  void reportErrors();
+  void followFilm();
 
   std::filesystem::path folder_;
+  Conversation& user_;
   ForceRecorder forces_;
   PictureWriter pictures_;
   std::filesystem::path saved_picture_;

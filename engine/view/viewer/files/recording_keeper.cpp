@@ -81,14 +81,15 @@ std::vector<fs::path> tidySessions(const fs::path& folder) {
   return finished;
 }
 
-RecordingKeeper::RecordingKeeper(LiveServo& servo, fs::path folder) : servo_(servo), folder_(std::move(folder)) {
+RecordingKeeper::RecordingKeeper(LiveServo& servo, fs::path folder, Conversation& user)
+    : servo_(servo), folder_(std::move(folder)), user_(user) {
   if (!folder_.empty()) tidying_.start([folder = folder_] { return tidySessions(folder); });
 }
 
-void RecordingKeeper::begin(ViewerState& viewer) {
+void RecordingKeeper::begin(const std::string& title, const DevicesShown& devices) {
   std::vector<trace::RecordingFinger> fingers;
   for (std::size_t i = 0; i < kFingers; ++i) {
-    held_by_[i] = viewer.devices.fingers[i].words;
+    held_by_[i] = devices.fingers[i].words;
     std::string name(kFingerNames[i]);
     if (servo_.isHeld(i)) {
       fingers.push_back(engine::recordingFinger(std::move(name), servo_.device(i), &servo_.opened(i).workspace.frame));
@@ -98,7 +99,7 @@ void RecordingKeeper::begin(ViewerState& viewer) {
   }
   engine::RecorderSettings settings;
   settings.header = engine::recordingHeader(servo_.thread().ticksPerS());
-  settings.header.notes = viewer.scene.title;
+  settings.header.notes = title;
   settings.fingers = std::move(fingers);
   settings.keep_s = kLastHourS;
   try {
@@ -107,82 +108,82 @@ void RecordingKeeper::begin(ViewerState& viewer) {
     recorder_ = std::make_unique<engine::Recorder>(servo_.thread(), std::move(settings));
   } catch (const std::exception& error) {
     failed_ = true;
-    viewer.report(Severity::warning, trf("The last hour is not recorded: {}", error.what()));
+    user_.report(Severity::warning, trf("The last hour is not recorded: {}", error.what()));
   }
 }
 
-void RecordingKeeper::end(ViewerState& viewer, std::string_view ended_by) {
+void RecordingKeeper::finish(std::string_view ended_by) {
   if (!recorder_) return;
-  viewer.recording.viewer = false;
+  user_.recording.viewer = false;
   try {
     recorder_->anyTouch() ? recorder_->finish(ended_by) : recorder_->discard();
   } catch (const std::exception& error) {
-    viewer.report(Severity::error, trf("The recording ended: {}; what was written is kept in {}", error.what(),
-                                       recorder_->partial().string()));
+    user_.report(Severity::error, trf("The recording ended: {}; what was written is kept in {}", error.what(),
+                                      recorder_->partial().string()));
   }
   recorder_.reset();
 }
 
-void RecordingKeeper::advance(ViewerState& viewer) {
+void RecordingKeeper::advance(bool switched_on, const std::string& title, const DevicesShown& devices) {
   if (const auto finished = tidying_.collectResult(); finished && finished->value) {
     for (const fs::path& file : *finished->value) {
-      viewer.messages.note(trf("An interrupted run was saved as {} (File > Open)", file.string()), viewer.now_s);
+      user_.messages.note(trf("An interrupted run was saved as {} (File > Open)", file.string()), user_.now_s);
     }
   }
-  const bool wanted = !folder_.empty() && viewer.state.keeps_last_hour;
+  const bool wanted = !folder_.empty() && switched_on;
   if (!wanted) {
     failed_ = false;
-    return end(viewer, "switched off");
+    return finish("switched off");
   }
-  if (!recorder_ && !failed_) begin(viewer);
+  if (!recorder_ && !failed_) begin(title, devices);
   if (!recorder_) return;
-  followDevices(viewer);
+  followDevices(devices);
   const engine::RecorderState state = recorder_->state();
-  Recording& recording = viewer.recording;
+  Recording& recording = user_.recording;
   recording.viewer = true;
   recording.length_s = state.seconds;
   if (state.dropped > std::exchange(recording.dropped, state.dropped)) {
-    viewer.report(Severity::warning,
-                  trf("The disk is too slow: {} samples are missing in the recording", state.dropped));
+    user_.report(Severity::warning,
+                 trf("The disk is too slow: {} samples are missing in the recording", state.dropped));
   }
   if (const auto kept = recorder_->collectSaved()) {
     recording.keeping = false;
     if (kept->failure.empty()) {
       recording.kept_file = kept->file.string();
-      viewer.report(Severity::info, trf("The last {:.1f} s are saved as {}", kept->seconds, recording.kept_file));
+      user_.report(Severity::info, trf("The last {:.1f} s are saved as {}", kept->seconds, recording.kept_file));
     } else {
-      viewer.report(Severity::error, trf("The recording could not be saved: {}", kept->failure));
+      user_.report(Severity::error, trf("The recording could not be saved: {}", kept->failure));
     }
   }
   if (state.failure.empty()) return;
   failed_ = true;
-  end(viewer, {});
+  finish({});
 }
 
-void RecordingKeeper::followDevices(const ViewerState& viewer) {
+void RecordingKeeper::followDevices(const DevicesShown& devices) {
   for (std::size_t i = 0; i < kFingers; ++i) {
-    const std::string& now = viewer.devices.fingers[i].words;
+    const std::string& now = devices.fingers[i].words;
     if (std::exchange(held_by_[i], now) == now) continue;
     const std::string words = now.empty() ? "the mouse" : device::describe(servo_.opened(i).device);
     recorder_->event("device", fmt::format("held by {}", words), static_cast<std::uint32_t>(i));
   }
 }
 
-void RecordingKeeper::save(ViewerState& viewer, const fs::path& folder) {
+void RecordingKeeper::save(const fs::path& folder) {
   if (!recorder_) {
-    return viewer.report(Severity::warning, "Automatic recording is off: switch it on under Record");
+    return user_.report(Severity::warning, "Automatic recording is off: switch it on under Record");
   }
   if (!recorder_->save(freshFile(folder, "session-" + nameNow(), std::string(kExtension)))) return;
-  viewer.recording.keeping = true;
+  user_.recording.keeping = true;
 }
 
-void RecordingKeeper::mark(ViewerState& viewer, std::string words) {
+void RecordingKeeper::mark(std::string words) {
   if (!recorder_) {
-    return viewer.report(Severity::warning, "Automatic recording is off, so there is nothing to mark");
+    return user_.report(Severity::warning, "Automatic recording is off, so there is nothing to mark");
   }
-  if (words.empty()) words = fmt::format("mark {}", viewer.recording.marks + 1);
-  ++viewer.recording.marks;
-  viewer.report(Severity::info, trf("Marked: {}", words));
+  if (words.empty()) words = fmt::format("mark {}", user_.recording.marks + 1);
+  ++user_.recording.marks;
+  user_.report(Severity::info, trf("Marked: {}", words));
   recorder_->mark(std::move(words));
 }
 
@@ -195,7 +196,5 @@ void RecordingKeeper::attachPicture(const fs::path& file) {
     // It was saved, or its own message has the reason.
   }
 }
-
-void RecordingKeeper::finish(ViewerState& viewer, std::string_view ended_by) { end(viewer, ended_by); }
 
 }  // namespace palpate::viewer

@@ -32,26 +32,26 @@ std::vector<std::filesystem::path> tidySessions(const std::filesystem::path& fol
 
 class RecordingKeeper {
  public:
-  /// An empty folder: nothing is recorded. The servo must outlive it.
-  RecordingKeeper(LiveServo& servo, std::filesystem::path folder);
+  /// An empty folder: nothing is recorded. Servo and user must outlive it.
+  RecordingKeeper(LiveServo& servo, std::filesystem::path folder, Conversation& user);
 
   /// Once a frame: begins and ends with the recording's switch, notes who holds the fingers, reports failures.
-  void advance(ViewerState& viewer);
+  void advance(bool switched_on, const std::string& title, const DevicesShown& devices);
   /// Copies the last hour to a fresh name in the folder.
-  void save(ViewerState& viewer, const std::filesystem::path& folder);
-  void mark(ViewerState& viewer, std::string words);
+  void save(const std::filesystem::path& folder);
+  void mark(std::string words);
   /// Attaches a saved picture at the newest tick.
   void attachPicture(const std::filesystem::path& file);
   /// Call when the run is over and the servo has stopped.
-  void finish(ViewerState& viewer, std::string_view ended_by);
+  void finish(std::string_view ended_by);
 
  private:
-  void begin(ViewerState& viewer);
-  void end(ViewerState& viewer, std::string_view ended_by);
-  void followDevices(const ViewerState& viewer);
+  void begin(const std::string& title, const DevicesShown& devices);
+  void followDevices(const DevicesShown& devices);
 
   LiveServo& servo_;
   std::filesystem::path folder_;
+  Conversation& user_;
   std::unique_ptr<engine::Recorder> recorder_;
   bool failed_ = false;  ///< until it is switched off and on again
   std::array<std::string, kFingers> held_by_;

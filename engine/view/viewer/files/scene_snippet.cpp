@@ -25,16 +25,16 @@ scene::Finger asPressed(const contact::FingerOutput& contact, const std::string&
 
 }  // namespace
 
-std::string sceneSnippet(const ViewerState& viewer) {
-  scene::Scene scene = sceneToSave(viewer);
-  storeCamera(viewer, scene.view);
-  std::string head = fmt::format("# {}\n", viewer.world.name);
+std::string sceneSnippet(const EditedScene& edited, const BodyView& seen) {
+  scene::Scene scene = sceneToSave(edited.scene, seen);
+  storeCamera(seen, scene.view);
+  std::string head = fmt::format("# {}\n", edited.world.name);
   std::vector<scene::Finger> pressed;
   for (std::size_t i = 0; i < kFingers; ++i) {
-    const contact::FingerOutput& contact = viewer.fingers[i];
-    if (!viewer.finger_present[i] || contact.touch == contact::Touch::free) continue;
+    const contact::FingerOutput& contact = seen.fingers[i];
+    if (!seen.finger_present[i] || contact.touch == contact::Touch::free) continue;
     const std::string name = i == 0 ? "left" : "right";
-    pressed.push_back(asPressed(contact, name, fingerRadius(viewer.scene, i)));
+    pressed.push_back(asPressed(contact, name, fingerRadius(edited.scene, i)));
     const Vec3& force = contact.force;
     head += fmt::format("# {}: {:.2f} mm deep, {:.3f} N (x {:.3f}, y {:.3f}, z {:.3f}) at {:.1f}, {:.1f}, {:.1f} mm\n",
                         name, contact.depth_mm, force.norm(), force.x(), force.y(), force.z(), contact.proxy.x(),

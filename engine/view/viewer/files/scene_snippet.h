@@ -12,7 +12,7 @@ namespace palpate::viewer {
 
 /// The scene with all changes, the look and the camera. Fingers in contact replace the scene's own, each with a script
 /// that presses where and as deep as it does now; a comment has its output.
-std::string sceneSnippet(const ViewerState& viewer);
+std::string sceneSnippet(const EditedScene& edited, const BodyView& seen);
 
 // A camera as a line of text, so that a view can be mailed, kept in notes and pasted back.
 

@@ -20,51 +20,55 @@ namespace {
 
 constexpr const char* kPerformance = toTranslate("Performance");
 
-/// Each section with its parts of the viewer's state.
 constexpr PanelEntry kPanels[] = {
-    {toTranslate("Touch"),
-     [](ViewerState& s) {
-       touchPanel({s.state.touch, s.active_finger, s.scene}, s.output);
-     },
-     true},
-    {toTranslate("Devices"),
-     [](ViewerState& s) {
-       devicePanel({s.devices, s.scene, s.reading, s.state.shown.reach, s.ticks_per_s}, s.output);
-     }},
-    {toTranslate("Tissue"),
-     [](ViewerState& s) {
-       tissuePanel({s.scene, s.profile, s.world.has_bones}, s.output);
-     }},
-    {toTranslate("Dysfunctions"),
-     [](ViewerState& s) {
-       dysfunctionPanel({s.dysfunctions(), s.history.steps().undoLabel(), s.history.steps().redoLabel()});
-       if (s.editor.active && s.lump_editor.active) stopEditing(s.lumps());
-     }},
-    {toTranslate("Lumps"),
-     [](ViewerState& s) {
-       lumpPanel({s.lumps(), s.history.steps().undoLabel(), s.history.steps().redoLabel()});
-       if (s.lump_editor.active && s.editor.active) stopEditing(s.dysfunctions());
-     }},
-    {toTranslate("Model"),
-     [](ViewerState& s) {
-       modelPanel({s.scene, s.world, s.state.shown.open_dialog}, s.output);
-     }},
-    {toTranslate("Show"),
-     [](ViewerState& s) {
-       showPanel({s.state.look, s.state.adapts_resolution, s.state.simpler_when_slow, s.simple_shading, s.world});
-     }},
-    {toTranslate("Vertex"),
-     [](ViewerState& s) {
-       vertexPanel({s.reading, s.mark_vertex, s.vertex_panel_open});
-     }},
-    {toTranslate("Stereo"),
-     [](ViewerState& s) {
-       stereoPanel({s.state.stereo, s.state.head, s.head, s.camera, s.world});
-     }},
-    {toTranslate("Record"),
-     [](ViewerState& s) { recordPanel(s.recording, s.state.keeps_last_hour, s.now_s, s.output); }},
-    {kPerformance, [](ViewerState& s) { performancePanel(s.performance); }},
+    {toTranslate("Touch"), Panel::touch, true}, {toTranslate("Devices"), Panel::devices},
+    {toTranslate("Tissue"), Panel::tissue},     {toTranslate("Dysfunctions"), Panel::dysfunctions},
+    {toTranslate("Lumps"), Panel::lumps},       {toTranslate("Model"), Panel::model},
+    {toTranslate("Show"), Panel::show},         {toTranslate("Vertex"), Panel::vertex},
+    {toTranslate("Stereo"), Panel::stereo},     {toTranslate("Record"), Panel::record},
+    {kPerformance, Panel::performance},
 };
+
+/// Only one of the two editors is active: starting one ends the other.
+void drawEditorPanel(Panel panel, EditedScene& edited, UiOutput& output) {
+  const std::string undo = edited.history.steps().undoLabel();
+  const std::string redo = edited.history.steps().redoLabel();
+  const bool of_lumps = panel == Panel::lumps;
+  if (of_lumps) {
+    lumpPanel({edited.lumps(output), undo, redo});
+  } else {
+    dysfunctionPanel({edited.dysfunctions(output), undo, redo});
+  }
+  if (!edited.editor.active || !edited.lump_editor.active) return;
+  of_lumps ? stopEditing(edited.dysfunctions(output)) : stopEditing(edited.lumps(output));
+}
+
+/// Gives each section its parts.
+void drawPanel(Panel panel, ViewerState& s) {
+  switch (panel) {
+    case Panel::touch:
+      return touchPanel({s.state.touch, s.active_finger, s.scene}, s.output);
+    case Panel::devices:
+      return devicePanel({s.devices, s.scene, s.reading, s.state.shown.reach, s.ticks_per_s}, s.output);
+    case Panel::tissue:
+      return tissuePanel({s.scene, s.profile, s.world.has_bones}, s.output);
+    case Panel::dysfunctions:
+    case Panel::lumps:
+      return drawEditorPanel(panel, s, s.output);
+    case Panel::model:
+      return modelPanel({s.scene, s.world, s.state.shown.open_dialog}, s.output);
+    case Panel::show:
+      return showPanel({s.state.look, s.state.adapts_resolution, s.state.simpler_when_slow, s.simple_shading, s.world});
+    case Panel::vertex:
+      return vertexPanel({s.reading, s.mark_vertex, s.vertex_panel_open});
+    case Panel::stereo:
+      return stereoPanel({s.state.stereo, s.state.head, s.head, s.camera, s.world});
+    case Panel::record:
+      return recordPanel(s.recording, s.state.keeps_last_hour, s.now_s, s.output);
+    case Panel::performance:
+      return performancePanel(s.performance);
+  }
+}
 
 MenuBar makeMenuBar(ViewerState& viewer, const Modes& modes) {
   MenuBar menu{.state = viewer.state,
@@ -92,18 +96,12 @@ MenuBar makeMenuBar(ViewerState& viewer, const Modes& modes) {
   return menu;
 }
 
-PlotStrips makePlotStrips(ViewerState& viewer) {
-  const Replay& replay = viewer.replay;
-  return {viewer.plots, viewer.finger_present, viewer.device_limit_n, viewer.now_s,
-          replay.frozen ? std::optional(replay.at_s) : std::nullopt};
-}
-
-std::vector<std::string> interventionLines(const ViewerState& viewer) {
+std::vector<std::string> interventionLines(const DevicesShown& devices, double now_s) {
   std::vector<std::string> lines;
-  for (std::size_t i = 0; i < viewer.devices.fingers.size(); ++i) {
-    const FingerHeld& finger = viewer.devices.fingers[i];
+  for (std::size_t i = 0; i < devices.fingers.size(); ++i) {
+    const FingerHeld& finger = devices.fingers[i];
     if (finger.words.empty()) continue;
-    const std::string words = finger.interventions.recent(viewer.now_s);
+    const std::string words = finger.interventions.recent(now_s);
     if (!words.empty()) lines.push_back(fmt::format("{}: {}", tr(i == 0 ? "left" : "right"), words));
   }
   return lines;
@@ -145,7 +143,7 @@ void sidePanel(ViewerState& viewer, float width, const FreeArea& free) {
       notePlace(std::string("panel/") + panel.name);
       if (!open) continue;
       ImGui::PushID(panel.name);
-      panel.draw(viewer);
+      drawPanel(panel.panel, viewer);
       ImGui::PopID();
       ImGui::Spacing();
     }
@@ -159,10 +157,13 @@ namespace {
 void drawAroundTheBody(ViewerState& viewer, float width, const FreeArea& free) {
   const Shown& shown = viewer.state.shown;
   if (shown.panel) sidePanel(viewer, width, free);
-  if (shown.plots) plotStrips(makePlotStrips(viewer), free, viewer.output);
+  const Replay& replay = viewer.replay;
+  const std::optional<double> past_s = replay.frozen ? std::optional(replay.at_s) : std::nullopt;
+  const PlotStrips strips{viewer.plots, viewer.finger_present, viewer.device_limit_n, viewer.now_s, past_s};
+  if (shown.plots) plotStrips(strips, free, viewer.output);
   if (viewer.editing()) editingFrame(free);
   if (viewer.ruler.active) rulerNotice(viewer.ruler, free);
-  interventionNotice(interventionLines(viewer), free);
+  interventionNotice(interventionLines(viewer.devices, viewer.now_s), free);
   if (viewer.replay.frozen) {
     replayBar(viewer.replay, free, viewer.output);
   } else if (viewer.state.hints && !viewer.editing() && !viewer.ruler.active) {
@@ -171,25 +172,21 @@ void drawAroundTheBody(ViewerState& viewer, float width, const FreeArea& free) {
 }
 
 /// The emergency stop and messages are visible in every mode.
-void drawModeWindow(Mode& mode, ViewerState& viewer, const FreeArea& free) {
+void drawModeWindow(Mode& mode, bool stopped, Conversation& user, const FreeArea& free) {
   mode.draw(free);
-  if (viewer.devices.stopped) stopBanner(free, viewer.output);
-  toast(viewer.messages, viewer.now_s, free);
+  if (stopped) stopBanner(free, user.output);
+  toast(user.messages, user.now_s, free);
 }
 
-}  // namespace
-
-namespace {
-
 /// A question has precedence.
-void drawStartPage(ViewerState& viewer, ExamplePictures& pictures) {
-  if (viewer.question) return;
-  startPage({.recent = viewer.state.recent,
-             .shown_at_start = viewer.state.start_page,
+void drawStartPage(ViewState& state, Conversation& user, ExamplePictures& pictures) {
+  if (user.question) return;
+  startPage({.recent = state.recent,
+             .shown_at_start = state.start_page,
              .pictures = pictures,
-             .activities = viewer.activities,
-             .awaited = viewer.awaited},
-            viewer.state.shown.start, viewer.output);
+             .activities = user.activities,
+             .awaited = user.awaited},
+            state.shown.start, user.output);
 }
 
 }  // namespace
@@ -199,7 +196,7 @@ void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& picture
   Shown& shown = viewer.state.shown;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const FreeArea free = freeArea(shown, size.x, size.y);
-  if (Mode* mode = modes.claimant(&Claims::window)) return drawModeWindow(*mode, viewer, free);
+  if (Mode* mode = modes.claimant(&Claims::window)) return drawModeWindow(*mode, viewer.devices.stopped, viewer, free);
   if (!shown.open_dialog) viewer.replay.chooses_beside = false;
   menuBar(makeMenuBar(viewer, modes), viewer.output);
   placeField({viewer.place_search, viewer.world.landmarks, viewer.place_words}, viewer.output);
@@ -222,7 +219,7 @@ void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& picture
   filmDialog(viewer.output_folder, shown.film_dialog, viewer.output);
   classDialog(viewer.class_shown, viewer.output_folder, shown.class_dialog, viewer.output);
   manualDialog(viewer.manual, shown.manual);
-  drawStartPage(viewer, pictures.examples);
+  drawStartPage(viewer.state, viewer, pictures.examples);
   questionDialog(viewer.question, viewer.output);
 }
 

@@ -5,6 +5,7 @@
 // All need a Gui frame that has begun.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -30,10 +31,22 @@ void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& picture
 /// of the body ("mode...") do, all others are temporary.
 bool staysInPictures(std::string_view window);
 
-using PanelFunction = void (*)(ViewerState&);
+enum class Panel : std::uint8_t {
+  touch,
+  devices,
+  tissue,
+  dysfunctions,
+  lumps,
+  model,
+  show,
+  vertex,
+  stereo,
+  record,
+  performance
+};
 struct PanelEntry {
   const char* name;
-  PanelFunction draw;
+  Panel panel;
   bool open_at_first = false;
 };
 /// From top to bottom.

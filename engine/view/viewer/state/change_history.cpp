@@ -38,9 +38,11 @@ std::string formatHabits(const ViewState& state, const std::vector<tissue::Profi
   return habits;
 }
 
-SessionSnapshot makeSnapshot(const ViewerState& viewer) {
-  SessionSnapshot snapshot{
-      .scene = viewer.scene, .state = viewer.state, .drawn = viewer.profile.drawn, .document = sceneAsChanged(viewer)};
+SessionSnapshot makeSnapshot(const EditedScene& edited, const BodyView& seen) {
+  SessionSnapshot snapshot{.scene = edited.scene,
+                           .state = seen.state,
+                           .drawn = edited.profile.drawn,
+                           .document = sceneAsChanged(edited.scene, seen)};
   snapshot.document_text = scene::sceneAsToml(snapshot.document);
   snapshot.habits = formatHabits(snapshot.state, snapshot.drawn);
   return snapshot;
@@ -83,24 +85,24 @@ std::string wordsFor(const SessionSnapshot& was, const SessionSnapshot& is) {
 
 }  // namespace
 
-void ChangeHistory::begin(const ViewerState& viewer) {
-  now_ = makeSnapshot(viewer);
+void ChangeHistory::begin(const EditedScene& edited, const BodyView& seen) {
+  now_ = makeSnapshot(edited, seen);
   saved_ = now_;
   steps_.clear();
   by_widget_ = false;
   words_.clear();
 }
 
-void ChangeHistory::follow(ViewerState& viewer, const Stir& stir) {
-  if (!viewer.output.step.empty()) words_ = std::exchange(viewer.output.step, {});
+void ChangeHistory::follow(const EditedScene& edited, const BodyView& seen, const Stir& stir, UiOutput& output) {
+  if (!output.step.empty()) words_ = std::exchange(output.step, {});
   const bool held = stir.widget || stir.hand;
-  if (!held && (stir.any || by_widget_)) settle(viewer);
+  if (!held && (stir.any || by_widget_)) settle(edited, seen);
   by_widget_ = stir.widget;
 }
 
 /// The depth of a press, the only habit that a hand on the body changes, is part of touching, not a step.
-void ChangeHistory::settle(ViewerState& viewer) {
-  SessionSnapshot is = makeSnapshot(viewer);
+void ChangeHistory::settle(const EditedScene& edited, const BodyView& seen) {
+  SessionSnapshot is = makeSnapshot(edited, seen);
   std::string words = std::exchange(words_, {});
   const bool habit = is.habits != now_.habits;
   if (is.document_text == now_.document_text && !habit) return;
@@ -109,43 +111,43 @@ void ChangeHistory::settle(ViewerState& viewer) {
   now_ = std::move(is);
 }
 
-void ChangeHistory::saved(const ViewerState& viewer) {
-  now_ = makeSnapshot(viewer);
+void ChangeHistory::saved(const EditedScene& edited, const BodyView& seen) {
+  now_ = makeSnapshot(edited, seen);
   saved_ = now_;
 }
 
 bool ChangeHistory::sceneChanged() const { return scene::sceneAsToml(now_.scene) != scene::sceneAsToml(saved_.scene); }
 
-void ChangeHistory::undo(ViewerState& viewer) {
-  settle(viewer);
-  if (!steps_.canUndo()) return viewer.report(Severity::info, "Nothing to undo");
-  viewer.report(Severity::info, trf("Undo: {}", steps_.undoLabel()));
-  restore(steps_.undo(now_), viewer);
+void ChangeHistory::undo(EditedScene& edited, BodyView& seen, Conversation& user) {
+  settle(edited, seen);
+  if (!steps_.canUndo()) return user.report(Severity::info, "Nothing to undo");
+  user.report(Severity::info, trf("Undo: {}", steps_.undoLabel()));
+  restore(steps_.undo(now_), edited, seen, user.output);
 }
 
-void ChangeHistory::redo(ViewerState& viewer) {
-  settle(viewer);
-  if (!steps_.canRedo()) return viewer.report(Severity::info, "Nothing to redo");
-  viewer.report(Severity::info, trf("Redo: {}", steps_.redoLabel()));
-  restore(steps_.redo(now_), viewer);
+void ChangeHistory::redo(EditedScene& edited, BodyView& seen, Conversation& user) {
+  settle(edited, seen);
+  if (!steps_.canRedo()) return user.report(Severity::info, "Nothing to redo");
+  user.report(Severity::info, trf("Redo: {}", steps_.redoLabel()));
+  restore(steps_.redo(now_), edited, seen, user.output);
 }
 
-void ChangeHistory::reset(ViewerState& viewer) {
-  settle(viewer);
+void ChangeHistory::reset(EditedScene& edited, BodyView& seen, Conversation& user) {
+  settle(edited, seen);
   if (now_.document_text == saved_.document_text && now_.habits == saved_.habits) {
-    return viewer.report(Severity::info, "Nothing was changed");
+    return user.report(Severity::info, "Nothing was changed");
   }
   steps_.add(now_, tr("reset"));
-  viewer.report(Severity::info, "Everything is as it was opened or saved");
-  restore(saved_, viewer);
+  user.report(Severity::info, "Everything is as it was opened or saved");
+  restore(saved_, edited, seen, user.output);
 }
 
-void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
-  for (const scene::Difference& difference : scene::differences(viewer.scene, to.scene)) {
-    viewer.output.changed |= tableConsequences(difference.table);
+void ChangeHistory::restore(SessionSnapshot to, EditedScene& edited, BodyView& seen, UiOutput& output) {
+  for (const scene::Difference& difference : scene::differences(edited.scene, to.scene)) {
+    output.changed |= tableConsequences(difference.table);
   }
-  viewer.scene = std::move(to.scene);
-  ViewState& state = viewer.state;
+  edited.scene = std::move(to.scene);
+  ViewState& state = seen.state;
   to.state.shown = state.shown;
   to.state.hints = state.hints;
   to.state.start_page = state.start_page;
@@ -156,17 +158,17 @@ void ChangeHistory::restore(SessionSnapshot to, ViewerState& viewer) {
     editor.before.reset();
     editor.selected = std::min(editor.selected, static_cast<int>(items) - 1);
   };
-  kept(viewer.editor, viewer.scene.dysfunctions.size());
-  kept(viewer.lump_editor, viewer.scene.lumps.size());
+  kept(edited.editor, edited.scene.dysfunctions.size());
+  kept(edited.lump_editor, edited.scene.lumps.size());
   // The file of the user's profile has one name, so its contents are written back.
-  ProfileEdit& profile = viewer.profile;
+  ProfileEdit& profile = edited.profile;
   if (!areSame(profile.drawn, to.drawn) && !to.drawn.empty() &&
-      viewer.scene.deformation.forms.normal_profile.kind == tissue::ProfileKind::user) {
+      edited.scene.deformation.forms.normal_profile.kind == tissue::ProfileKind::user) {
     profile.knots = to.drawn;
-    viewer.request(UseProfile{});
+    output.request(UseProfile{});
   }
   profile.drawn = std::move(to.drawn);
-  now_ = makeSnapshot(viewer);
+  now_ = makeSnapshot(edited, seen);
 }
 
 std::uint32_t tableConsequences(std::string_view table) {

@@ -63,7 +63,10 @@ class EditHistory {
 //   viewer state ─ as text ─ differs from the last quiet frame ─► step       undo, redo, reset ─► state,
 //   UiOutput::changed
 
-struct ViewerState;
+struct BodyView;
+struct Conversation;
+struct EditedScene;
+struct UiOutput;
 
 /// Everything that can be undone.
 struct SessionSnapshot {
@@ -86,16 +89,16 @@ struct Stir {
 class ChangeHistory {
  public:
   /// Call for a newly opened scene: nothing to undo and nothing to save.
-  void begin(const ViewerState& viewer);
+  void begin(const EditedScene& edited, const BodyView& seen);
   /// Once a frame. Holding a control is one step however long it is dragged.
-  void follow(ViewerState& viewer, const Stir& stir);
+  void follow(const EditedScene& edited, const BodyView& seen, const Stir& stir, UiOutput& output);
   /// Call when the present state equals the file.
-  void saved(const ViewerState& viewer);
+  void saved(const EditedScene& edited, const BodyView& seen);
 
-  void undo(ViewerState& viewer);
-  void redo(ViewerState& viewer);
+  void undo(EditedScene& edited, BodyView& seen, Conversation& user);
+  void redo(EditedScene& edited, BodyView& seen, Conversation& user);
   /// Restores the opened or saved state; a step like others.
-  void reset(ViewerState& viewer);
+  void reset(EditedScene& edited, BodyView& seen, Conversation& user);
 
   bool changed() const { return now_.document_text != saved_.document_text; }
   /// Whether body, tissue or fingers changed. A changed look is saved with them, but is not worth a question on
@@ -104,8 +107,8 @@ class ChangeHistory {
   const EditHistory<SessionSnapshot>& steps() const { return steps_; }
 
  private:
-  void settle(ViewerState& viewer);
-  void restore(SessionSnapshot to, ViewerState& viewer);
+  void settle(const EditedScene& edited, const BodyView& seen);
+  void restore(SessionSnapshot to, EditedScene& edited, BodyView& seen, UiOutput& output);
 
   SessionSnapshot now_;  ///< in the last quiet frame
   SessionSnapshot saved_;

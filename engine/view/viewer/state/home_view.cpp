@@ -97,8 +97,8 @@ bool says(const scene::Scene& scene, std::span<const std::string_view> keys) {
 
 }  // namespace
 
-bool applySceneLook(const scene::World& world, ViewerState& viewer, const Vec2& size_points) {
-  ViewState& state = viewer.state;
+bool applySceneLook(const scene::World& world, BodyView& seen, const Vec2& size_points) {
+  ViewState& state = seen.state;
   const FreePart part = freePart(state.shown, size_points);
   const view::PictureSettings said = view::pictureSettings(world, part.size.x() / part.size.y());
   if (says(world.scene, kLookKeys)) state.look = said.look;
@@ -111,7 +111,7 @@ bool applySceneLook(const scene::World& world, ViewerState& viewer, const Vec2& 
   }
   if (!says(world.scene, kCameraKeys)) return false;
   // Before a screen of true size the camera gives that screen's place.
-  viewer.camera = said.stereo.head ? said.camera : intoPart(said.camera, part);
+  seen.camera = said.stereo.head ? said.camera : intoPart(said.camera, part);
   return true;
 }
 

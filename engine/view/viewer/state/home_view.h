@@ -22,6 +22,6 @@ view::Camera cameraOfFreePart(const view::Camera& camera, const Shown& shown, co
 
 /// Adopts camera, look, stereo and head as far as the scene sets them; the rest stays the user's. True if the camera
 /// was among them: it then covers the part that panels and plots leave free, as homeView does.
-bool applySceneLook(const scene::World& world, ViewerState& viewer, const Vec2& size_points);
+bool applySceneLook(const scene::World& world, BodyView& seen, const Vec2& size_points);
 
 }  // namespace palpate::viewer

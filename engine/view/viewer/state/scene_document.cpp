@@ -99,8 +99,8 @@ bool wouldOverwrite(const SceneDocument& document, const fs::path& target) {
   }
 }
 
-void storeCamera(const ViewerState& viewer, scene::ViewSettings& view) {
-  const view::Camera camera = cameraOfFreePart(viewer.camera, viewer.state.shown, viewer.size_points);
+void storeCamera(const BodyView& seen, scene::ViewSettings& view) {
+  const view::Camera camera = cameraOfFreePart(seen.camera, seen.state.shown, seen.size_points);
   const view::Camera plain;                                                 // default angle of view
   const bool rolled = std::abs(camera.roll_rad) > 0.25 * std::numbers::pi;  // only the table's view is
   view.side = rolled ? scene::StandardView::table : scene::StandardView::back;
@@ -112,16 +112,16 @@ void storeCamera(const ViewerState& viewer, scene::ViewSettings& view) {
   view.distance_mm = rounded(camera.distance_mm, 10.0);
 }
 
-scene::Scene sceneAsChanged(const ViewerState& viewer) {
-  scene::Scene scene = viewer.scene;
-  storeLookChanges(viewer.opened.look, viewer.state.look, scene);
-  storeStereoChanges(viewer.opened.stereo, viewer.state.stereo, scene.view);
+scene::Scene sceneAsChanged(const scene::Scene& edited, const BodyView& seen) {
+  scene::Scene scene = edited;
+  storeLookChanges(seen.opened.look, seen.state.look, scene);
+  storeStereoChanges(seen.opened.stereo, seen.state.stereo, scene.view);
   return scene;
 }
 
-scene::Scene sceneToSave(const ViewerState& viewer) {
-  scene::Scene scene = sceneAsChanged(viewer);
-  if (viewer.opened.camera_moved) storeCamera(viewer, scene.view);
+scene::Scene sceneToSave(const scene::Scene& edited, const BodyView& seen) {
+  scene::Scene scene = sceneAsChanged(edited, seen);
+  if (seen.opened.camera_moved) storeCamera(seen, scene.view);
   return scene;
 }
 

@@ -12,7 +12,7 @@
 
 namespace palpate::viewer {
 
-struct ViewerState;
+struct BodyView;
 
 /// The scene's file, and its text when it was last read or written here.
 struct SceneDocument {
@@ -34,11 +34,11 @@ struct OpenedLook {
 };
 
 /// The scene with the changes of its look ([view]); with the camera, too, if the user has moved it.
-scene::Scene sceneToSave(const ViewerState& viewer);
+scene::Scene sceneToSave(const scene::Scene& edited, const BodyView& seen);
 /// The same without the camera: turning the body does not change the scene.
-scene::Scene sceneAsChanged(const ViewerState& viewer);
+scene::Scene sceneAsChanged(const scene::Scene& edited, const BodyView& seen);
 /// Stores the camera in [view], in hundredths of a degree and tenths of a millimetre.
-void storeCamera(const ViewerState& viewer, scene::ViewSettings& view);
+void storeCamera(const BodyView& seen, scene::ViewSettings& view);
 
 struct SceneWriting {
   SceneDocument document;      ///< the document from now on

@@ -29,29 +29,29 @@ void decodePicture(const scene::World& world) {
   if (world.body->texture && !world.body->texture->made) view::decodedPicture(*world.body->texture);
 }
 
-void reportRateMismatch(ViewerState& viewer) {
-  if (std::abs(viewer.scene.ticks_per_s - viewer.ticks_per_s) < 0.5) return;
-  viewer.report(Severity::info,
-                trf("Touch runs at {:.0f} ticks per second since this window opened; the scene asks for {:.0f}",
-                    viewer.ticks_per_s, viewer.scene.ticks_per_s));
+void reportRateMismatch(const scene::Scene& scene, double ticks_per_s, Conversation& user) {
+  if (std::abs(scene.ticks_per_s - ticks_per_s) < 0.5) return;
+  user.report(Severity::info,
+              trf("Touch runs at {:.0f} ticks per second since this window opened; the scene asks for {:.0f}",
+                  ticks_per_s, scene.ticks_per_s));
 }
 
 /// Gives panel, plots and banner the servo's limits.
-void publishLimits(const engine::ServoPlan& plan, ViewerState& viewer) {
-  DevicesShown& shown = viewer.devices;
+void publishLimits(const engine::ServoPlan& plan, const scene::Scene& scene, FingerHolders& holders,
+                   Conversation& user) {
+  DevicesShown& shown = holders.devices;
   const scene::SafetySettings& safety = plan.world->scene.safety;
-  viewer.device_limit_n = plan.limiter.force_n;
+  holders.device_limit_n = plan.limiter.force_n;
   shown.stiffness_factor = plan.limiter.stiffness_factor;
   shown.ratios_kept_to_n = plan.limiter.cap_n_per_mm > 0.0 ? plan.limiter.compared_n : 0.0;
   shown.unsafe = safety.unsafe_stiffness;
   std::vector<std::string> notes;
-  if (!viewer.held.empty()) {
-    notes = servo::safetyNotes(safety, device::profileOf(viewer.scene.safety.device, viewer.held),
-                               1.0 / viewer.ticks_per_s);
+  if (!holders.held.empty()) {
+    notes = servo::safetyNotes(safety, device::profileOf(scene.safety.device, holders.held), 1.0 / holders.ticks_per_s);
   }
   for (const std::string& note : notes) {
     if (std::ranges::find(shown.safety_notes, note) == shown.safety_notes.end()) {
-      viewer.messages.note(note, viewer.now_s);
+      user.messages.note(note, user.now_s);
     }
   }
   shown.safety_notes = std::move(notes);
@@ -75,7 +75,7 @@ OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like) {
   scene.lumps.clear();
   scene.fingers.clear();
   for (scene::DeviceSettings& device : scene.devices) device.origin_mm.reset();
-  scene.view = {};  // the view stays (ViewerState::state)
+  scene.view = {};  // the view stays (BodyView::state)
   scene.ellipses.key_points.clear();
   scene.body = {};
   scene.body.kind = scene::BodyKind::mesh;
@@ -86,13 +86,13 @@ OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like) {
 
 WorldSwap::WorldSwap(std::shared_ptr<const scene::World> world) : builder_(decodePicture), shown_(std::move(world)) {}
 
-void WorldSwap::open(const std::string& file, ViewerState& viewer, scene::Unit unit) {
+void WorldSwap::open(const std::string& file, EditedScene& edited, scene::Unit unit) {
   opening_ = file;
-  viewer.opening = true;
+  edited.opening = true;
   wanted_ = 0;
   body_requested_ = true;
   opening_document_ = std::make_shared<SceneDocument>();
-  const auto read = [file, unit, like = viewer.scene, document = opening_document_] {
+  const auto read = [file, unit, like = edited.scene, document = opening_document_] {
     OpenedScene opened = sceneFromFile(file, like);
     if (opened.document.file.empty()) opened.scene.body.unit = unit;
     *document = std::move(opened.document);
@@ -101,109 +101,112 @@ void WorldSwap::open(const std::string& file, ViewerState& viewer, scene::Unit u
   builder_.request({.scene = {}, .body = nullptr, .read = read});
 }
 
-void WorldSwap::open(const scene::Scene& scene, ViewerState& viewer) {
-  viewer.scene = scene;
-  viewer.document = {};
-  viewer.opening = true;
-  viewer.editor = {};
-  viewer.lump_editor = {};
+void WorldSwap::open(const scene::Scene& scene, EditedScene& edited) {
+  edited.scene = scene;
+  edited.document = {};
+  edited.opening = true;
+  edited.editor = {};
+  edited.lump_editor = {};
   opening_.clear();
   wanted_ = 0;
   body_requested_ = true;
   builder_.request({.scene = scene, .body = nullptr, .read = {}});
 }
 
-void WorldSwap::showTemporarily(const scene::Scene& scene, ViewerState& viewer) {
-  viewer.scene = scene;
+void WorldSwap::showTemporarily(const scene::Scene& scene, EditedScene& edited) {
+  edited.scene = scene;
   failure_.clear();
   wanted_ = 0;
   builder_.request({.scene = scene, .body = coming_ ? coming_ : shown_, .read = {}});
 }
 
-void WorldSwap::cancel(ViewerState& viewer) {
+void WorldSwap::cancel(EditedScene& edited, Conversation& user) {
   builder_.cancel();
   wanted_ = 0;
   body_requested_ = false;
   opening_.clear();
-  viewer.opening = false;
+  edited.opening = false;
   // The present body is requested again.
-  viewer.scene.body = shown_->scene.body;
-  viewer.report(Severity::info, "Cancelled: the body stays as it was");
+  edited.scene.body = shown_->scene.body;
+  user.report(Severity::info, "Cancelled: the body stays as it was");
 }
 
-void WorldSwap::advance(ViewerState& viewer, engine::ServoThread& servo) {
-  if (viewer.output.changed & kFingerChange) changeFingers(viewer, servo);
-  if (const std::uint32_t world = viewer.output.changed & (kMapChange | kBodyChange)) {
+void WorldSwap::advance(const SwapWork& work) {
+  const std::uint32_t changed = work.user.output.changed;
+  if (changed & kFingerChange) changeFingers(work);
+  if (const std::uint32_t world = changed & (kMapChange | kBodyChange)) {
     wanted_ |= world;
-    wanted_since_s_ = viewer.now_s;
+    wanted_since_s_ = work.user.now_s;
   }
-  requestWhenQuiet(viewer);
-  handleBuildResult(viewer, servo);
-  viewer.building = builder_.progress();
+  requestWhenQuiet(work.edited.scene, work.user.now_s);
+  handleBuildResult(work);
+  work.edited.building = builder_.progress();
 }
 
-void WorldSwap::requestWhenQuiet(ViewerState& viewer) {
-  if (wanted_ == 0 || !opening_.empty() || viewer.now_s - wanted_since_s_ < kQuietS) return;
-  engine::BuildRequest request{.scene = viewer.scene, .body = nullptr, .read = {}};
+void WorldSwap::requestWhenQuiet(const scene::Scene& scene, double now_s) {
+  if (wanted_ == 0 || !opening_.empty() || now_s - wanted_since_s_ < kQuietS) return;
+  engine::BuildRequest request{.scene = scene, .body = nullptr, .read = {}};
   body_requested_ = body_requested_ || (wanted_ & kBodyChange);
   if (!body_requested_) request.body = coming_ ? coming_ : shown_;
   wanted_ = 0;
   builder_.request(std::move(request));
 }
 
-void WorldSwap::handleBuildResult(ViewerState& viewer, engine::ServoThread& servo) {
+void WorldSwap::handleBuildResult(const SwapWork& work) {
+  EditedScene& edited = work.edited;
   const auto result = builder_.collectResult();
   if (!result) return;
   const std::string opened = std::exchange(opening_, {});
   body_requested_ =
       body_requested_ && !result->world && opened.empty();  // a failed one is tried again with the next request
   if (!result->world) {
-    viewer.opening = false;
+    edited.opening = false;
     failure_ = result->error;
-    viewer.report(Severity::error, opened.empty() ? result->error : cannotOpen(result->error));
+    work.user.report(Severity::error, opened.empty() ? result->error : cannotOpen(result->error));
     return;
   }
   if (!opened.empty()) {
-    viewer.messages.clearErrors(cannotOpen());
-    remember(viewer.state.recent, opened);
-    viewer.scene = result->world->scene;
-    viewer.document = *opening_document_;
-    viewer.editor = {};
-    viewer.lump_editor = {};
-    reportRateMismatch(viewer);
+    work.user.messages.clearErrors(cannotOpen());
+    remember(work.recent, opened);
+    edited.scene = result->world->scene;
+    edited.document = *opening_document_;
+    edited.editor = {};
+    edited.lump_editor = {};
+    reportRateMismatch(edited.scene, work.holders.ticks_per_s, work.user);
   }
-  adopt(viewer, *result, servo);
+  adopt(*result, work);
 }
 
-void WorldSwap::adopt(ViewerState& viewer, const engine::BuildResult& result, engine::ServoThread& servo) {
+void WorldSwap::adopt(const engine::BuildResult& result, const SwapWork& work) {
   // To the fingers a swelling over a lump makes another body, to the eye the same.
   const bool other_body = result.request.body == nullptr || result.world->body != shown_->body;
   try {
-    engine::ServoPlan plan = planFor(result.world, viewer.scene, other_body, viewer.held, 1.0 / viewer.ticks_per_s);
-    publishLimits(plan, viewer);
-    servo.change(std::move(plan));
+    engine::ServoPlan plan =
+        planFor(result.world, work.edited.scene, other_body, work.holders.held, 1.0 / work.holders.ticks_per_s);
+    publishLimits(plan, work.edited.scene, work.holders, work.user);
+    work.servo.change(std::move(plan));
   } catch (const Error& error) {
     failure_ = error.what();
-    viewer.report(Severity::error, error.what());
+    work.user.report(Severity::error, error.what());
     return;
   }
   coming_ = result.world;
   other_body_ = other_body_ || result.request.body == nullptr;
 }
 
-engine::ServoPlan WorldSwap::makePlan(ViewerState& viewer) const {
+engine::ServoPlan WorldSwap::makePlan(const scene::Scene& scene, FingerHolders& holders, Conversation& user) const {
   const bool other_body = coming_ && (other_body_ || coming_->body != shown_->body);
   engine::ServoPlan plan =
-      planFor(coming_ ? coming_ : shown_, viewer.scene, other_body, viewer.held, 1.0 / viewer.ticks_per_s);
-  publishLimits(plan, viewer);
+      planFor(coming_ ? coming_ : shown_, scene, other_body, holders.held, 1.0 / holders.ticks_per_s);
+  publishLimits(plan, scene, holders, user);
   return plan;
 }
 
-void WorldSwap::changeFingers(ViewerState& viewer, engine::ServoThread& servo) const {
+void WorldSwap::changeFingers(const SwapWork& work) const {
   try {
-    servo.change(makePlan(viewer));
+    work.servo.change(makePlan(work.edited.scene, work.holders, work.user));
   } catch (const Error& error) {
-    viewer.report(Severity::warning, error.what());
+    work.user.report(Severity::warning, error.what());
   }
 }
 

@@ -1,7 +1,7 @@
 // From a changed scene to a changed world in use: waits until the user has stopped dragging a slider, has the world
 // built on its own thread, gives it to the servo, and reports when it may be shown.
 //
-//   viewer.output.changed ─ 250 ms of quiet ─► WorldBuilder ─► ServoThread::change ─ adopted between two ticks ─► shown
+//   UiOutput::changed ─ 250 ms of quiet ─► WorldBuilder ─► ServoThread::change ─ adopted between two ticks ─► shown
 #pragma once
 
 #include <memory>
@@ -24,24 +24,33 @@ struct OpenedScene {
 };
 OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like);
 
+/// What a changed scene has effects on, in a frame.
+struct SwapWork {
+  EditedScene& edited;
+  FingerHolders& holders;
+  Conversation& user;
+  std::vector<std::string>& recent;  ///< files; an opened one goes first
+  engine::ServoThread& servo;
+};
+
 class WorldSwap {
  public:
   explicit WorldSwap(std::shared_ptr<const scene::World> world);
 
   /// A scene or mesh file, or a whole scene, replaces the present one. `unit`: of a mesh file.
-  void open(const std::string& file, ViewerState& viewer, scene::Unit unit = scene::Unit::from_file);
-  void open(const scene::Scene& scene, ViewerState& viewer);
-  void cancel(ViewerState& viewer);
+  void open(const std::string& file, EditedScene& edited, scene::Unit unit = scene::Unit::from_file);
+  void open(const scene::Scene& scene, EditedScene& edited);
+  void cancel(EditedScene& edited, Conversation& user);
   /// This scene on the present body, immediately and without a step: for changes that a trial hides. `failure` has the
   /// error of the newest one; empty: none so far.
-  void showTemporarily(const scene::Scene& scene, ViewerState& viewer);
+  void showTemporarily(const scene::Scene& scene, EditedScene& edited);
   const std::string& failure() const { return failure_; }
 
-  /// Once a frame: acts on viewer.output.changed. Settings of the fingers go to the servo at once.
-  void advance(ViewerState& viewer, engine::ServoThread& servo);
+  /// Once a frame: acts on UiOutput::changed. Settings of the fingers go to the servo at once.
+  void advance(const SwapWork& work);
 
-  /// The servo's present or next plan, with the limits of viewer.held; for changes of devices. Throws Error.
-  engine::ServoPlan makePlan(ViewerState& viewer) const;
+  /// The servo's present or next plan, with the limits of the holders; for changes of devices. Throws Error.
+  engine::ServoPlan makePlan(const scene::Scene& scene, FingerHolders& holders, Conversation& user) const;
 
   struct Shown {
     std::shared_ptr<const scene::World> world;  ///< null: none
@@ -51,10 +60,10 @@ class WorldSwap {
   Shown popShown(engine::ServoThread& servo);
 
  private:
-  void handleBuildResult(ViewerState& viewer, engine::ServoThread& servo);
-  void adopt(ViewerState& viewer, const engine::BuildResult& result, engine::ServoThread& servo);
-  void requestWhenQuiet(ViewerState& viewer);
-  void changeFingers(ViewerState& viewer, engine::ServoThread& servo) const;
+  void handleBuildResult(const SwapWork& work);
+  void adopt(const engine::BuildResult& result, const SwapWork& work);
+  void requestWhenQuiet(const scene::Scene& scene, double now_s);
+  void changeFingers(const SwapWork& work) const;
 
   engine::WorldBuilder builder_;
   std::shared_ptr<SceneDocument> opening_document_;  ///< written by the builder until its result is taken
