@@ -50,10 +50,6 @@ void resolvePlace(AcceptForm& form, std::span<const body::SkinLandmark> landmark
                                  form.place_name.empty() ? "" : ": ", form.at_mm->x(), form.at_mm->y());
 }
 
-fs::path tableOf(const MeasuringView& view, const ViewerState& viewer) {
-  return (viewer.output_folder / view.form.table).lexically_normal();
-}
-
 /// Objections to accepting, one sentence each.
 std::string doubts(const measure::Measurement& measured, const KeyTableFile& table, const fs::path& file,
                    const std::string& name) {
@@ -76,10 +72,10 @@ KeyTableRow makeKeyTableRow(const measure::Measurement& measured, const std::str
   return {std::string(trimmed(header)), std::string(trimmed(values))};
 }
 
-void useInScene(ViewerState& viewer, const fs::path& file) {
-  viewer.scene.ellipses.key_points = file;
-  viewer.output.changed |= kMapChange;
-  viewer.output.step = tr("measured key points");
+void useInScene(scene::Scene& scene, const fs::path& file, UiOutput& output) {
+  scene.ellipses.key_points = file;
+  output.changed |= kMapChange;
+  output.step = tr("measured key points");
 }
 
 }  // namespace
@@ -128,12 +124,12 @@ bool MeasuringMode::handle(const Request& request, ViewerState& viewer) {
 }
 
 /// Corrections in photographs stay while the view is closed, but go with the photographs.
-bool MeasuringMode::asksFirst(Waiting waiting, ViewerState& viewer) {
+bool MeasuringMode::asksFirst(Waiting waiting, Conversation& user) {
   if (!view_.unsaved) return false;
   waiting_ = std::move(waiting);
-  viewer.ask({.kind = Question::Kind::of_mode,
-              .words = toTranslate("The dots of the photographs were corrected. Accept the measurement first?"),
-              .answers = {toTranslate("Accept"), toTranslate("Discard"), toTranslate("Stay")}});
+  user.ask({.kind = Question::Kind::of_mode,
+            .words = toTranslate("The dots of the photographs were corrected. Accept the measurement first?"),
+            .answers = {toTranslate("Accept"), toTranslate("Discard"), toTranslate("Stay")}});
   return true;
 }
 
@@ -172,11 +168,11 @@ void MeasuringMode::handle(const MeasuringRequest& request, ViewerState& viewer)
   view_.open = true;
 }
 
-void MeasuringMode::undoOrRedo(bool undoes, ViewerState& viewer) {
+void MeasuringMode::undoOrRedo(bool undoes, Conversation& user) {
   const std::string words = undoes ? undoCorrection(view_) : redoCorrection(view_);
   const std::string nothing = tr(undoes ? "Nothing to undo" : "Nothing to redo");
   const std::string done = undoes ? trf("Undo: {}", words) : trf("Redo: {}", words);
-  viewer.report(Severity::info, words.empty() ? nothing : done);
+  user.report(Severity::info, words.empty() ? nothing : done);
 }
 
 void MeasuringMode::advance(ViewerState& viewer, std::span<const body::SkinLandmark> landmarks) {
@@ -213,7 +209,7 @@ void MeasuringMode::startMeasuring() {
   work_.request(std::move(job));
 }
 
-void MeasuringMode::collectResult(ViewerState& viewer) {
+void MeasuringMode::collectResult(Conversation& user) {
   auto result = work_.collectResult();
   if (!result) return;
   MeasuringView& view = view_;
@@ -227,7 +223,7 @@ void MeasuringMode::collectResult(ViewerState& viewer) {
   if (result->measured) acceptMeasurement(view, result->measured, std::move(result->overlay), result->of_photographs);
   if (result->errors.empty()) return;
   view.failure = result->errors.front();
-  for (const std::string& error : result->errors) viewer.report(Severity::error, error);
+  for (const std::string& error : result->errors) user.report(Severity::error, error);
 }
 
 MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
@@ -237,7 +233,7 @@ MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
     return Accepting::failed;
   }
   const std::string name = acceptedName(view.form);
-  const fs::path file = tableOf(view, viewer);
+  const fs::path file = (viewer.output_folder / view.form.table).lexically_normal();
   const KeyTableFile table = readKeyTable(file);
   if (const std::string against = doubts(*view.measured, table, file, name); !sure && !against.empty()) {
     waiting_ = MeasuringRequest(AcceptMeasurement{.sure = true});
@@ -253,7 +249,7 @@ MeasuringMode::Accepting MeasuringMode::accept(ViewerState& viewer, bool sure) {
   }
   view.unsaved = false;
   viewer.messages.clearErrors(file.string());
-  if (view.form.use_in_scene) useInScene(viewer, file);
+  if (view.form.use_in_scene) useInScene(viewer.scene, file, viewer.output);
   viewer.report(Severity::info, view.form.use_in_scene
                                     ? trf("Row added: {} is in {}; the skin follows it", name, file.string())
                                     : trf("Row added: {} is in {}", name, file.string()));

@@ -127,10 +127,10 @@ class MeasuringMode : public Mode {
   using Waiting = std::variant<Request, MeasuringRequest>;
 
   void handle(const MeasuringRequest& request, ViewerState& viewer);
-  bool asksFirst(Waiting waiting, ViewerState& viewer);
-  void undoOrRedo(bool undoes, ViewerState& viewer);
+  bool asksFirst(Waiting waiting, Conversation& user);
+  void undoOrRedo(bool undoes, Conversation& user);
   void startMeasuring();
-  void collectResult(ViewerState& viewer);
+  void collectResult(Conversation& user);
 
   MeasuringView view_;
   MeasuringRequests requests_;
