@@ -247,12 +247,6 @@ void becomeActivity(viewer::Activity activity, const RunOptions& options) {
   becomeCommand(words);
 }
 
-/// Applies --begin.
-void beginWith(const std::string& activity, viewer::ViewerState& viewer) {
-  if (activity == "measuring") viewer.output.act(window::Action::measure_person);
-  if (activity == "class") viewer.request(viewer::ShowClass{});
-}
-
 /// All but the document, and the devices, which need a body.
 viewer::ViewerSettings viewerSettings(const RunOptions& options, const viewer::StateReading& state) {
   viewer::ViewerSettings settings;
@@ -272,12 +266,23 @@ viewer::ViewState viewState(const RunOptions& options, const viewer::StateReadin
   return view_state;
 }
 
-/// The viewer continues where the start page was when the body was ready.
-void adoptOpening(const Opening& opening, viewer::ViewerState& viewer) {
+/// The viewer continues where the start page was when the body was ready, and does what the options ask for.
+void beginWith(const Opening& opening, const RunOptions& options, viewer::ViewerState& viewer) {
   viewer.state.shown.start = opening.page;
   viewer.awaited = opening.awaited;
   for (const viewer::Request& request : opening.requests) viewer.request(request);
   for (const window::Action action : opening.actions) viewer.output.act(action);
+  if (options.no_intro) viewer.hint = viewer::kNoHint;
+  if (options.begin == "measuring") viewer.output.act(window::Action::measure_person);
+  if (options.begin == "class") viewer.request(viewer::ShowClass{});
+  if (!options.replay.empty()) viewer.request(viewer::OpenFile{options.replay});
+  viewer.beside_at_first = options.beside;
+}
+
+/// The window was closed while its body was built: perhaps for another program of the start page.
+void followStartPage(const Opening& opening, const RunOptions& options) {
+  if (endingSignal() != 0 || opening.requests.empty()) return;
+  if (const auto* way = std::get_if<viewer::GiveWay>(&opening.requests.back())) becomeActivity(way->activity, options);
 }
 
 void runWindow(const RunOptions& options) {
@@ -315,20 +320,11 @@ void runWindow(const RunOptions& options) {
     tell_page();
     controls.print(window.contentScale() * view_state.text_size);
   });
-  if (!opening.world) {
-    if (endingSignal() != 0 || opening.requests.empty()) return;
-    if (const auto* way = std::get_if<viewer::GiveWay>(&opening.requests.back()))
-      becomeActivity(way->activity, options);
-    return;
-  }
+  if (!opening.world) return followStartPage(opening, options);
   if (!options.devices.empty()) settings.devices = openedFor(*opening.world, options.devices);
   viewer::Viewer viewer(opening.world, std::move(view_state), std::move(settings), std::move(host));
-  adoptOpening(opening, viewer.state());
-  if (options.no_intro) viewer.state().hint = viewer::kNoHint;
-  beginWith(options.begin, viewer.state());
+  beginWith(opening, options, viewer.state());
   if (!state.note.empty()) viewer.state().report(viewer::Severity::warning, state.note);
-  if (!options.replay.empty()) viewer.state().request(viewer::OpenFile{options.replay});
-  viewer.state().beside_at_first = options.beside;
   const StoppedBySignal stopped(viewer.emergencyStop());
   showFrames(window, viewer, playback, options.frames, [&](std::uint64_t frame, double now_s) {
     followHead(heads, viewer, now_s);

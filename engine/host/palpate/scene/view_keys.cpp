@@ -42,12 +42,10 @@ Key<V> range(std::string name, std::optional<Vec2> V::*member, std::string meani
   return {std::move(name), "two numbers" + rangeSuffix(kScalars), std::move(meaning), read, show};
 }
 
-}  // namespace
-
-Section viewSection() {
+std::vector<Key<V>> cameraKeys() {
   constexpr double kAround = 180.0;
   constexpr double kAlmostAbove = 89.0;
-  std::vector<Key<V>> keys = {
+  return {
       choice<V, StandardView>("side", &V::side, "Side to look from; table: from beside a lying body, on its left."),
       number<V>("yaw_deg", &V::yaw_deg, between(-kAround, kAround),
                 "Rotation from that side; positive shows more of the patient's right."),
@@ -58,6 +56,11 @@ Section viewSection() {
                "Place in the middle of the picture (default: the middle of the body)."),
       number<V>("distance_mm", &V::distance_mm, between(0, kFarthestMm),
                 "Distance of the eye from that place; 0 is the distance at which zoom 1 shows the whole body."),
+  };
+}
+
+std::vector<Key<V>> lookKeys() {
+  return {
       choice<V, Shading>("shading", &V::shading, "Light at the vertices, or skin."),
       choice<V, Colouring>("colours", &V::colours, "Quantity shown by the colour of the skin."),
       text<V>("scalar", &V::scalar,
@@ -85,6 +88,11 @@ Section viewSection() {
       flag<V>("texture", &V::texture,
               "Show the picture named by [body] texture, or the colours of a PLY file, on the skin."),
       flag<V>("detail", &V::detail, "Show skin lines in close views."),
+  };
+}
+
+std::vector<Key<V>> eyeKeys() {
+  return {
       choice<V, StereoMode>("stereo", &V::stereo, "Stereo mode: how one picture holds the views of both eyes."),
       number<V>("eye_distance_mm", &V::eye_distance_mm, between(0, 200),
                 "Distance between the eyes; 0 is the same as mono."),
@@ -97,6 +105,13 @@ Section viewSection() {
       number<V>("screen_height_mm", &V::screen_height_mm, above(0, kFarthestMm),
                 "With head_mm: height of that screen, which then shows the body at true size."),
   };
+}
+
+}  // namespace
+
+Section viewSection() {
+  std::vector<Key<V>> keys = cameraKeys();
+  for (const std::vector<Key<V>>& more : {lookKeys(), eyeKeys()}) keys.insert(keys.end(), more.begin(), more.end());
   const auto check = [](const V& view, const Entry& entry) {
     if (view.head_mm && !(view.head_mm->z() > 0.0)) {
       entry.fail("head_mm must be in front of the screen: third number > 0");
