@@ -124,7 +124,7 @@ TrialWorld::Body TrainingMode::wanted() const {
   return {session.hidden(), trial};
 }
 
-void TrainingMode::requestTrialBody(ViewerState& viewer, WorldSwap& world_swap) {
+void TrainingMode::requestTrialBody(EditedScene& edited, WorldSwap& world_swap) {
   if (!run_ && !lumps_) return;
   if (world_.waiting() && !world_swap.failure().empty()) {
     state_ = State::trouble;
@@ -135,11 +135,11 @@ void TrainingMode::requestTrialBody(ViewerState& viewer, WorldSwap& world_swap) 
   if (lumps_) {
     scene::Scene scene = lumps_->makeScene(base_);
     if (!body.hidden) scene.lumps.clear();
-    world_swap.showTemporarily(scene, viewer);
+    world_swap.showTemporarily(scene, edited);
     return compose();
   }
   const training::SessionPlan& plan = run_->session().plan();
-  world_swap.showTemporarily(training::trialScene(base_, plan.protocol, plan.kind, plan.sites, body.hidden), viewer);
+  world_swap.showTemporarily(training::trialScene(base_, plan.protocol, plan.kind, plan.sites, body.hidden), edited);
   compose();
 }
 
@@ -190,7 +190,7 @@ void TrainingMode::handleButtons(std::uint32_t buttons) {
 
 void TrainingMode::look(const Sight& sight, const ViewerState& viewer) {
   seen_.clear();
-  if (lumps_) return lookAtLumps(sight, viewer);
+  if (lumps_) return lookAtLumps(sight, viewer.active_finger);
   for (const training::Site& site : sites_.sites) {
     SeenSite seen;
     const Vec2 share = view::seenAt(sight.frustum, site.point_mm);
@@ -210,7 +210,7 @@ void TrainingMode::look(const Sight& sight, const ViewerState& viewer) {
 }
 
 /// Where the marks are, and the keyboard's finger: from the middle of the sites it moves over the visible skin.
-void TrainingMode::lookAtLumps(const Sight& sight, const ViewerState& viewer) {
+void TrainingMode::lookAtLumps(const Sight& sight, std::size_t active_finger) {
   const auto seen_at = [&](const Vec3& point) -> std::optional<Vec2> {
     const Vec2 share = view::seenAt(sight.frustum, point);
     if (!share.allFinite()) return std::nullopt;
@@ -224,7 +224,7 @@ void TrainingMode::lookAtLumps(const Sight& sight, const ViewerState& viewer) {
     const auto place = sight.pointer.skinAt((*at + Vec2(step.x(), -step.y())) * sight.pixels_per_point);
     if (place) keyboard_.place = place;
   }
-  if (keyboard_.place) sight.pointer.demonstrate(viewer.active_finger, *keyboard_.place, keyboard_.presses);
+  if (keyboard_.place) sight.pointer.demonstrate(active_finger, *keyboard_.place, keyboard_.presses);
 }
 
 std::optional<Eigen::AlignedBox3d> TrainingMode::homeBox() const {
@@ -467,7 +467,7 @@ void TrainingMode::actOnSession(TrainingAct act, int value) {
   if (keyboard_.presses) keyboard_.press(false);
 }
 
-void TrainingMode::handle(const TrainingClick& click, ViewerState& viewer, LiveServo& servo) {
+void TrainingMode::handle(const TrainingClick& click, const FingerHolders& holders, LiveServo& servo) {
   if (click.act == TrainingAct::quit) {
     quit_ = quit_ || mayQuit();
   } else if (handleOver(click.act)) {
@@ -479,7 +479,7 @@ void TrainingMode::handle(const TrainingClick& click, ViewerState& viewer, LiveS
   } else if (kind_) {
     if (click.act == TrainingAct::choose && static_cast<std::size_t>(click.value) < kThimbles.size()) {
       thimble_ = kThimbles[static_cast<std::size_t>(click.value)].word;
-      beginSession(viewer, servo);
+      beginSession(holders, servo);
     } else if (click.act == TrainingAct::no) {
       kind_.reset();
       sign_in_.returnToChoice();
@@ -532,22 +532,22 @@ bool TrainingMode::mayQuit() {
 
 // --- a session
 
-training::SessionPlan TrainingMode::makeSessionPlan(training::SessionKind kind, const ViewerState& viewer) {
+training::SessionPlan TrainingMode::makeSessionPlan(training::SessionKind kind, const FingerHolders& holders) {
   training::SessionPlan plan;
   plan.protocol = settings_.protocol;
-  if (!viewer.held.empty()) {
+  if (!holders.held.empty()) {
     plan.protocol.base_n_per_mm =
-        training::renderableBase(plan.protocol, base_, device::profileOf(base_.safety.device, viewer.held));
+        training::renderableBase(plan.protocol, base_, device::profileOf(base_.safety.device, holders.held));
   }
   plan.kind = kind;
   plan.sites = sites_;
   plan.seed = settings_.seed.value_or(training::systemRandom()[0] >> 1);
-  plan.tick_s = 1.0 / viewer.ticks_per_s;
+  plan.tick_s = 1.0 / holders.ticks_per_s;
   const training::TraineeRow& trainee = sign_in_.trainee();
   training::SessionRow& row = plan.row;
   row.id = training::makeUuidV7(training::utcMs(), training::systemRandom());
   row.trainee_id = trainee.id;
-  row.app_version = engine::recordingHeader(viewer.ticks_per_s).software;
+  row.app_version = engine::recordingHeader(holders.ticks_per_s).software;
   row.device = holder_.mouse ? "mouse" : fmt::format("{}, {}", holder_.words, thimble_);
   if (settings_.recording_files) row.file = training::RecordingFiles::nameFor(row.id);
   if (const auto interrupted = store_.interrupted(trainee.id, kind)) plan.resumed = interrupted->block;
@@ -570,7 +570,7 @@ training::LumpSessionPlan TrainingMode::makeLumpSessionPlan(const training::Sess
           .resumed = plan.resumed};
 }
 
-void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
+void TrainingMode::beginSession(const FingerHolders& holders, LiveServo& servo) {
   const training::SessionKind kind = *std::exchange(kind_, std::nullopt);
   try {
     training::StationRow station = findStation(store_, settings_.member);
@@ -583,7 +583,7 @@ void TrainingMode::beginSession(ViewerState& viewer, LiveServo& servo) {
     // Stored again for the class, which may have forgotten a trainee who was away for long.
     if (const auto trainee = store_.trainee(sign_in_.trainee().id)) store_.save(*trainee);
     store_.save(training::makeProtocolRow(settings_.protocol));
-    training::SessionPlan plan = makeSessionPlan(kind, viewer);
+    training::SessionPlan plan = makeSessionPlan(kind, holders);
     plan.row.station_id = station.id;
     if (training::hidesLumps(kind)) {
       lumps_ = std::make_unique<LumpSessionRun>(store_, servo, makeLumpSessionPlan(plan), now());
@@ -620,8 +620,8 @@ void TrainingMode::storeNewRows() {
 }
 
 /// Marks the record: a force that was cut off is not the trainee's.
-void TrainingMode::followSafety(const ViewerState& viewer) {
-  if (std::exchange(stopped_, viewer.devices.stopped) == viewer.devices.stopped) return;
+void TrainingMode::followSafety(const DevicesShown& devices) {
+  if (std::exchange(stopped_, devices.stopped) == devices.stopped) return;
   if (class_) class_->safety(stopped_ ? "emergency stop" : "ok");
   if (!run_) return;
   run_->session().safety(stopped_ ? "emergency stop" : "emergency stop released", now());
@@ -646,12 +646,12 @@ void TrainingMode::followClass() {
   }
 }
 
-TrainingMode::Holder TrainingMode::makeHolder(const ViewerState& viewer, LiveServo& servo) {
+TrainingMode::Holder TrainingMode::makeHolder(const FingerHolders& holders, LiveServo& servo) {
   Holder holder;
-  holder.mouse = !viewer.devices.anyHeld();
-  if (!holder.mouse) holder.words = viewer.held_by;
-  holder.force_share = viewer.devices.stiffness_factor;
-  holder.ratios_kept_to_n = viewer.devices.ratios_kept_to_n;
+  holder.mouse = !holders.devices.anyHeld();
+  if (!holder.mouse) holder.words = holders.held_by;
+  holder.force_share = holders.devices.stiffness_factor;
+  holder.ratios_kept_to_n = holders.devices.ratios_kept_to_n;
   for (std::size_t i = 0; i < kFingers; ++i) {
     if (!servo.isHeld(i)) continue;
     const device::Workspace& workspace = servo.opened(i).workspace;
@@ -681,7 +681,7 @@ void TrainingMode::advance(const ModeWork& work) {
       familiar_ = sign_in_.trainee().id + run_->session().plan().row.device;
     }
   }
-  followSafety(viewer);
+  followSafety(viewer.devices);
   followClass();
   storeNewRows();
   requestTrialBody(viewer, work.world_swap);

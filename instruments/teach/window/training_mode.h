@@ -101,7 +101,7 @@ class TrainingMode : public Mode {
     double ratios_kept_to_n = 0.0;
     std::uint32_t ignored_buttons = 0;  ///< clutch and stop
   };
-  static Holder makeHolder(const ViewerState& viewer, LiveServo& servo);
+  static Holder makeHolder(const FingerHolders& holders, LiveServo& servo);
 
   bool mayQuit();
   training::Moment now() const;
@@ -109,26 +109,26 @@ class TrainingMode : public Mode {
   bool clockRuns() const;
   TrainingOver over() const;
   TrainingView view() const;
-  void handle(const TrainingClick& click, ViewerState& viewer, LiveServo& servo);
+  void handle(const TrainingClick& click, const FingerHolders& holders, LiveServo& servo);
   bool handleOver(TrainingAct act);
   void actOnSession(TrainingAct act, int value);
   void typed(const std::string& letters);
   void walk(const Vec2& by);
-  void lookAtLumps(const Sight& sight, const ViewerState& viewer);
+  void lookAtLumps(const Sight& sight, std::size_t active_finger);
   bool canPick(int site) const;
   void handleButtons(std::uint32_t buttons);
-  void beginSession(ViewerState& viewer, LiveServo& servo);
+  void beginSession(const FingerHolders& holders, LiveServo& servo);
   void endSession();
   void leaveNow(bool quits);
-  training::SessionPlan makeSessionPlan(training::SessionKind kind, const ViewerState& viewer);
+  training::SessionPlan makeSessionPlan(training::SessionKind kind, const FingerHolders& holders);
   training::LumpSessionPlan makeLumpSessionPlan(const training::SessionPlan& plan);
   void actOnLumps(TrainingAct act, int value);
   bool asksBeforeLeaving() const;
   void storeNewRows();
-  void followSafety(const ViewerState& viewer);
+  void followSafety(const DevicesShown& devices);
   void followClass();
   TrialWorld::Body wanted() const;
-  void requestTrialBody(ViewerState& viewer, WorldSwap& world_swap);
+  void requestTrialBody(EditedScene& edited, WorldSwap& world_swap);
   void speak();
   void compose();
 
