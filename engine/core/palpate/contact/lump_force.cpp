@@ -11,7 +11,7 @@ namespace {
 /// Nearer than this to the axis, mm, the direction away from it is undefined; the push sideways is 0 there.
 constexpr double kOnAxisMm = 1e-9;
 
-Vec2 placeOf(const LumpPlaces* places, std::size_t lump) noexcept {
+Vec2 lumpPlace(const LumpPlaces* places, std::size_t lump) noexcept {
   return places == nullptr ? Vec2(0.0, 0.0) : places->moved_mm[lump];
 }
 
@@ -106,7 +106,7 @@ LumpPush lumpPush(const Lumps& lumps, const LumpPlaces* places, const LumpPress&
   double nearest_mm = 0.0;
   for (std::size_t i = 0; i < lumps.all.size(); ++i) {
     const Lump& lump = lumps.all[i];
-    const PressAtLump at = pressAt(lump, placeOf(places, i), press);
+    const PressAtLump at = pressAt(lump, lumpPlace(places, i), press);
     if (!(at.share > 0.0)) continue;
     const tissue::LumpSlopes slopes = lump.energy.slopesAt(at.rho_mm, press.depth_mm);
     push.normal_n += at.share * slopes.d_depth;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <memory>
 
+#include "palpate/contact/finger_state.h"
 #include "palpate/contact/half_spaces.h"
 #include "palpate/contact/nearby_skin.h"
 #include "palpate/contact/surface.h"
