@@ -3,11 +3,11 @@
 #include <optional>
 #include <system_error>
 
-#include "cli/commands.h"
 #include "cli/kit/command_pages.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/families.h"
 #include "cli/kit/program.h"
+#include "cli/own/commands.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/system/process.h"

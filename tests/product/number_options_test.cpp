@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
+#include "cli/own/commands.h"
 #include "dissertation/command/commands.h"
 #include "measure/commands/commands.h"
 #include "report/commands.h"

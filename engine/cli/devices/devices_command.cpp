@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "cli/devices/devices_report.h"
-#include "cli/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
+#include "cli/own/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/device/mouse_finger.h"

@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/model/scanned_body.h"
+#include "cli/own/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/path_text.h"

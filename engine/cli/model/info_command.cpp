@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
 #include "cli/model/triangle_shape.h"
+#include "cli/own/commands.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/kit/choice_option.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
+#include "cli/own/commands.h"
 #include "palpate/base/json.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/stopwatch.h"

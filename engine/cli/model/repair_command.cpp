@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "cli/commands.h"
 #include "cli/kit/choice_option.h"
 #include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
@@ -16,6 +15,7 @@
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
+#include "cli/own/commands.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"

@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/options.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
+#include "cli/own/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/path_text.h"
 #include "palpate/base/text.h"

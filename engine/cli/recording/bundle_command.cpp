@@ -4,12 +4,12 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "cli/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
+#include "cli/own/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/system/process.h"

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/kit/json.h"
 #include "cli/kit/readable_text.h"
+#include "cli/own/commands.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"

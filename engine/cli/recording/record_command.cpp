@@ -6,13 +6,13 @@
 #include <memory>
 #include <thread>
 
-#include "cli/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/simulate_options.h"
+#include "cli/own/commands.h"
 #include "cli/recording/recording_text.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"

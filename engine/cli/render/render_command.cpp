@@ -10,13 +10,13 @@
 #include <memory>
 #include <optional>
 
-#include "cli/commands.h"
 #include "cli/kit/body_place.h"
 #include "cli/kit/choice_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
+#include "cli/own/commands.h"
 #include "cli/recording/recording_text.h"
 #include "cli/render/film.h"
 #include "cli/render/moments.h"

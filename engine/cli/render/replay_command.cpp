@@ -5,12 +5,12 @@
 #include <memory>
 #include <optional>
 
-#include "cli/commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/readable_text.h"
+#include "cli/own/commands.h"
 #include "cli/recording/recording_text.h"
 #include "cli/render/render_options.h"
 #include "palpate/base/csv.h"

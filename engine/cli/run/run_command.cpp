@@ -11,7 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include "cli/commands.h"
 #include "cli/kit/choice_option.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/families.h"
@@ -19,6 +18,7 @@
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
+#include "cli/own/commands.h"
 #include "cli/run/control_lines.h"
 #include "cli/run/opening.h"
 #include "cli/run/other_programs.h"

@@ -1,9 +1,9 @@
 // `palpate serve`: the engine here, with real devices; the picture in any browser with a token.
 #include <memory>
 
-#include "cli/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/number_option.h"
+#include "cli/own/commands.h"
 #include "cli/serve/served_run.h"
 
 namespace palpate::app {

@@ -3,13 +3,13 @@
 
 #include <memory>
 
-#include "cli/commands.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
 #include "cli/kit/results_folder.h"
 #include "cli/kit/simulate_options.h"
+#include "cli/own/commands.h"
 #include "cli/simulate/simulation.h"
 #include "palpate/base/json.h"
 #include "palpate/base/text.h"

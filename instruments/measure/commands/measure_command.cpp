@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/commands.h"
+#include "cli/own/commands.h"
 #include "cli/run/run_modes.h"
 #include "measure/commands/commands.h"
 #include "measure/window/measuring_mode.h"

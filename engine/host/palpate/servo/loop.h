@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
-#include "palpate/base/ring_buffer.h"
 #include "palpate/base/progress.h"
+#include "palpate/base/ring_buffer.h"
 #include "palpate/base/triple_buffer.h"
 #include "palpate/servo/histogram.h"
 #include "palpate/servo/pacing.h"

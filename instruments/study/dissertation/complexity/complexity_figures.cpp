@@ -5,8 +5,8 @@
 #include <cctype>
 #include <string>
 
-#include "dissertation/complexity/complexity.h"
 #include "dissertation/complexity/complexity_results.h"
+#include "dissertation/cost/complexity.h"
 #include "report/page/plot_parts.h"
 
 namespace palpate::study {

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "dissertation/complexity/complexity.h"
+#include "dissertation/cost/complexity.h"
 #include "dissertation_findings_texts.h"
 
 namespace palpate::study {

@@ -6,7 +6,7 @@
 
 #include <iterator>
 
-#include "dissertation/complexity/complexity.h"
+#include "dissertation/cost/complexity.h"
 #include "lab/measured/model_meshes.h"
 
 namespace palpate::study {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dissertation/complexity/complexity.h"
+#include "dissertation/cost/complexity.h"
 
 namespace palpate::study {
 

@@ -1,7 +1,7 @@
 // Figure 3.11: the search that ends in one leaf of a complete tree.
 #include <fmt/format.h>
 
-#include "dissertation/complexity/complexity.h"
+#include "dissertation/cost/complexity.h"
 #include "dissertation/figures/dissertation_figures.h"
 #include "report/page/plot_parts.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dissertation/complexity/complexity.h"
+#include "dissertation/cost/complexity.h"
 #include "dissertation/numbers/numbers_study.h"
 #include "palpate/tissue/force_law.h"
 #include "report/page/study_page.h"

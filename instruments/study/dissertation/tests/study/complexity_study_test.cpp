@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "dissertation/complexity/complexity.h"
 #include "dissertation/complexity/search_cost.h"
+#include "dissertation/cost/complexity.h"
 #include "lab/measured/model_meshes.h"
 #include "report/tests/report/page_numbers.h"
 #include "report/tests/report/texts_apart.h"

@@ -1,4 +1,4 @@
-#include "dissertation/complexity/complexity.h"
+#include "dissertation/cost/complexity.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "dissertation/assignment/assignment_measurement.h"
-#include "dissertation/complexity/complexity.h"
 #include "dissertation/complexity/complexity_results.h"
+#include "dissertation/cost/complexity.h"
 #include "dissertation/hdb/hdb_measurement.h"
 #include "dissertation/tables/rendering_rates.h"
 #include "dissertation/threshold/threshold_measurement.h"

@@ -1,6 +1,6 @@
 // The commands of `palpate` itself, without a program of another package.
-#include "cli/commands.h"
 #include "cli/kit/commands.h"
+#include "cli/own/commands.h"
 
 namespace palpate::app {
 
