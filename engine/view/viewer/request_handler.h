@@ -11,13 +11,10 @@
 #include "view/viewer/camera_control.h"
 #include "view/viewer/class_run.h"
 #include "view/viewer/devices/device_control.h"
-#include "view/viewer/files/file_preview.h"
 #include "view/viewer/files/outputs.h"
 #include "view/viewer/files/recording_keeper.h"
-#include "view/viewer/files/turned_mesh.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/replay_player.h"
-#include "view/viewer/state/async_task.h"
 #include "view/viewer/state/viewer_state.h"
 #include "view/viewer/world/world_swap.h"
 
@@ -59,74 +56,17 @@ struct RequestParts {
 
 class RequestHandler {
  public:
-  explicit RequestHandler(const RequestParts& parts)
-      : parts_(parts), edited_(parts.viewer), seen_(parts.viewer), past_(parts.viewer), user_(parts.viewer) {}
+  explicit RequestHandler(const RequestParts& parts);
+  ~RequestHandler();
   void handle(const Request& request);
   /// Once a frame: handles the findings about a file to open.
   void advance();
   /// Whether the window was asked to close, and nothing is in the way.
-  bool quits() const { return quits_; }
+  bool quits() const;
 
  private:
-  // Without further questions.
-  void handle(const OpenFile& request);
-  void handle(const OpenBeside& request);
-  void handle(const OpenPreset& request);
-  void handle(const Reload& request);
-  void handle(const CancelBuild& request);
-  void handle(const SaveScene& request);
-  void handle(const CopyScene& request);
-  void handle(const ResetScene& request);
-  void handle(const Undo& request);
-  void handle(const Redo& request);
-  void handle(const UseProfile& request);
-  void handle(const AnswerQuestion& request);
-  void handle(const TakeScreenshot& request);
-  void handle(const TakeClearScreenshot& request);
-  void handle(const ToggleSequence& request);
-  void handle(const PlayScript& request);
-  void handle(const SavePlots& request);
-  void handle(const ToggleForces& request);
-  void handle(const KeepRecording& request);
-  void handle(const SetMark& request);
-  void handle(const GoHome& request);
-  void handle(const GoToPlace& request);
-  void handle(const SetView& request);
-  void handle(const ToggleFullScreen& request);
-  void handle(const CopyView& request);
-  void handle(const PasteView& request);
-  void handle(const OpenDevice& request);
-  void handle(const CloseDevice& request);
-  void handle(const FindDevices& request);
-  void handle(const StopDevices& request);
-  void handle(const ReleaseStop& request);
-  void handle(const Quit& request);
-  void handle(const GiveWay& request);
-  void handle(const StartFilm& request);
-  void handle(const StopFilm& request);
-  void handle(const ShowClass& request);
-  void handle(const StartClass& request);
-  void handle(const WatchClass& request);
-  void handle(const JoinClass& request);
-  void handle(const EndClass& request);
-  void saveThen(const SaveScene& request, const std::optional<Request>& then);
-
-  void checkOrientation();
-  void askForUnit(OpenFile request, const std::optional<double>& longest_units);
-
-  RequestParts parts_;
-  EditedScene& edited_;
-  BodyView& seen_;
-  PastTouches& past_;
-  Conversation& user_;
-  bool quits_ = false;
-  std::optional<OpenFile> to_measure_;  ///< a mesh of unknown unit
-  OpenFile measured_;
-  AsyncTask<FilePreview> look_;
-  const scene::Body* looked_at_body_ = nullptr;  ///< the question about its side was asked; only compared
-  AsyncTask<mesh::TurnOver> sides_;
-  mesh::TurnOver turn_over_ = mesh::TurnOver::none;  ///< if the answer is yes
-  AsyncTask<std::filesystem::path> turning_;
+  class Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 // Questions before an action that would lose something.
