@@ -48,44 +48,29 @@ auto* findSwitch(Action action, S& viewer) {
 
 /// The request for those who own the window, the files and the servo, if an action is one.
 std::optional<Request> requestFor(Action action) {
-  switch (action) {
-    case Action::emergency_stop:
-      return StopDevices{};
-    case Action::full_screen:
-      return ToggleFullScreen{};
-    case Action::screenshot:
-      return TakeScreenshot{};
-    case Action::screenshot_with_pop_ups:
-      return TakeScreenshot{.with_pop_ups = true};
-    case Action::clear_screenshot:
-      return TakeClearScreenshot{};
-    case Action::play_script:
-      return PlayScript{};
-    case Action::record:
-      return ToggleForces{};
-    case Action::keep_recording:
-      return KeepRecording{};
-    case Action::mark:
-      return SetMark{};
-    case Action::save:
-      return SaveScene{};
-    case Action::reload:
-      return Reload{};
-    case Action::reset:
-      return ResetScene{};
-    case Action::undo:
-      return Undo{};
-    case Action::redo:
-      return Redo{};
-    case Action::copy_scene:
-      return CopyScene{};
-    case Action::quit:
-      return Quit{};
-    case Action::home:
-      return GoHome{};
-    default:
-      return std::nullopt;
+  static const std::pair<Action, Request> kRequests[] = {
+      {Action::emergency_stop, StopDevices{}},
+      {Action::full_screen, ToggleFullScreen{}},
+      {Action::screenshot, TakeScreenshot{}},
+      {Action::screenshot_with_pop_ups, TakeScreenshot{.with_pop_ups = true}},
+      {Action::clear_screenshot, TakeClearScreenshot{}},
+      {Action::play_script, PlayScript{}},
+      {Action::record, ToggleForces{}},
+      {Action::keep_recording, KeepRecording{}},
+      {Action::mark, SetMark{}},
+      {Action::save, SaveScene{}},
+      {Action::reload, Reload{}},
+      {Action::reset, ResetScene{}},
+      {Action::undo, Undo{}},
+      {Action::redo, Redo{}},
+      {Action::copy_scene, CopyScene{}},
+      {Action::quit, Quit{}},
+      {Action::home, GoHome{}},
+  };
+  for (const auto& [known, request] : kRequests) {
+    if (known == action) return request;
   }
+  return std::nullopt;
 }
 
 void nextStereoMode(BodyView& seen, Conversation& user) {

@@ -20,9 +20,4 @@ struct EditRules<maps::Dysfunction> {
   static std::string nameOf(const Items& items, int index);
 };
 
-/// The dysfunction at a place of the map plane; -1 for none.
-inline int dysfunctionAt(const std::vector<maps::Dysfunction>& items, const Vec2& place) {
-  return itemAt(items, place);
-}
-
 }  // namespace palpate::viewer

@@ -5,7 +5,6 @@
 // All need a Gui frame that has begun.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -31,19 +30,7 @@ void drawGui(ViewerState& viewer, const Modes& modes, const GuiPictures& picture
 /// of the body ("mode...") do, all others are temporary.
 bool staysInPictures(std::string_view window);
 
-enum class Panel : std::uint8_t {
-  touch,
-  devices,
-  tissue,
-  dysfunctions,
-  lumps,
-  model,
-  show,
-  vertex,
-  stereo,
-  record,
-  performance
-};
+enum class Panel { touch, devices, tissue, dysfunctions, lumps, model, show, vertex, stereo, record, performance };
 struct PanelEntry {
   const char* name;
   Panel panel;

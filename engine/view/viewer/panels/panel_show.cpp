@@ -35,10 +35,8 @@ constexpr auto kFingerShapes = allTitles<view::FingerShape>();
 
 void lookWidgets(const ShowPanel& panel) {
   view::Look& look = panel.look;
-  auto shading = static_cast<std::size_t>(look.shading);
-  if (choiceWidget("show/shading", "shading", shading, kShadings,
+  if (choiceWidget("show/shading", "shading", look.shading, kShadings,
                    "Light at the vertices, as in the dissertation (fastest), or at each pixel, like skin.")) {
-    look.shading = static_cast<view::Shading>(shading);
     panel.simpler_when_slow = false;  // an explicit choice stays
   }
   flagWidget("show/simpler", "smooth while it is slow", panel.simpler_when_slow,
@@ -47,10 +45,7 @@ void lookWidgets(const ShowPanel& panel) {
     remark("Drawn smooth for now: pictures came too slowly.");
     if (buttonWidget("show/all_the_same", "Draw skin all the same")) panel.simpler_when_slow = false;
   }
-  auto finger = static_cast<std::size_t>(look.finger);
-  if (choiceWidget("show/finger", "finger", finger, kFingerShapes, "What is drawn in place of the finger.")) {
-    look.finger = static_cast<view::FingerShape>(finger);
-  }
+  choiceWidget("show/finger", "finger", look.finger, kFingerShapes, "What is drawn in place of the finger.");
   numberWidget(look.skin_opacity,
                {"show/opacity", "skin opacity", "%.2f", 0.0, 1.0, 1.0, "Below 1 the bones show through (key O)."});
   numberWidget(look.skin_tone, {"show/tone", "skin tone", "%.1f", 1.0, 6.0, 3.0,
@@ -166,10 +161,8 @@ void viewRow(view::Look& look, const WorldFacts& world, UiOutput& output) {
 void showPanel(const ShowPanel& panel) {
   lookWidgets(panel);
   ImGui::Separator();
-  auto colouring = static_cast<std::size_t>(panel.look.colouring);
-  if (choiceWidget("show/colour", "colour by", colouring, view::kColouringNames, "What the skin's colour shows.")) {
-    panel.look.colouring = static_cast<view::Colouring>(colouring);
-  }
+  choiceWidget("show/colour", "colour by", panel.look.colouring, view::kColouringNames,
+               "What the skin's colour shows.");
   rangeWidgets(panel.look, panel.world);
   ImGui::Separator();
   for (const view::Overlay overlay : view::kBodyOverlays) overlayWidget(panel.look, overlay);

@@ -53,11 +53,8 @@ void headWidgets(HeadSettings& head, const SeenHead& seen) {
 
 void stereoPanel(const StereoPanel& panel) {
   view::StereoSettings& stereo = panel.stereo;
-  auto mode = static_cast<std::size_t>(stereo.mode);
-  if (choiceWidget("stereo/mode", "mode", mode, view::kStereoModeNames,
-                   "How the two pictures share the screen (key K). \"half\" squeezes each, as televisions expect.")) {
-    stereo.mode = static_cast<view::StereoMode>(mode);
-  }
+  choiceWidget("stereo/mode", "mode", stereo.mode, view::kStereoModeNames,
+               "How the two pictures share the screen (key K). \"half\" squeezes each, as televisions expect.");
   numberWidget(stereo.eye_distance_mm,
                {"stereo/eyes", "eye distance", "%.1f mm", 0.0, 80.0, 63.0,
                 "Distance between your eyes: 63 mm on average, mostly 50 to 75. At 0 both eyes see the same."});

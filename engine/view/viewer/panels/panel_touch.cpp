@@ -18,12 +18,9 @@ constexpr std::array<std::string_view, kFingers> kFingerChoices = {toTranslate("
                                                                    toTranslate("right (red)")};
 
 void pressWidgets(TouchSettings& touch) {
-  auto by = static_cast<std::size_t>(touch.by);
-  if (choiceWidget("touch/by", "press by", by, kPressBy,
-                   "By depth, a stiff place pushes back harder; by force, it gives way less and shows a shallower "
-                   "dent, which is better for comparing places.")) {
-    touch.by = static_cast<device::PressBy>(by);
-  }
+  choiceWidget("touch/by", "press by", touch.by, kPressBy,
+               "By depth, a stiff place pushes back harder; by force, it gives way less and shows a shallower dent, "
+               "which is better for comparing places.");
   if (touch.by == device::PressBy::depth) {
     numberWidget(touch.depth_mm,
                  {"touch/depth", "depth", "%.1f mm", 0.0, kMaxDepthMm, 6.0,

@@ -74,10 +74,7 @@ void scalarWidgets(view::Look& look, const WorldFacts& world) {
     look.scalar = shown->name;
     look.scalar_range = {shown->least, std::max(shown->greatest, shown->least + 1e-9)};
   }
-  auto map = static_cast<std::size_t>(look.scalar_map);
-  if (choiceWidget("show/scalar_map", "colours", map, kColourMaps, "From the lowest to the highest value.")) {
-    look.scalar_map = static_cast<ColourMap>(map);
-  }
+  choiceWidget("show/scalar_map", "colours", look.scalar_map, kColourMaps, "From the lowest to the highest value.");
   endWidgets(look, *shown);
   histogram(look, *shown);
 }

@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "palpate/scene/scene.h"
 #include "view/viewer/state/requests.h"
@@ -69,6 +70,16 @@ bool flagWidget(const char* path, const char* label, bool& value, const char* me
 /// The index chosen among the names.
 bool choiceWidget(const char* path, const char* label, std::size_t& value, std::span<const std::string_view> names,
                   const char* meaning);
+/// The same for an enum whose values are the names' places.
+template <class E>
+requires std::is_enum_v<E>
+bool choiceWidget(const char* path, const char* label, E& value, std::span<const std::string_view> names,
+                  const char* meaning) {
+  auto index = static_cast<std::size_t>(value);
+  const bool changed = choiceWidget(path, label, index, names, meaning);
+  value = static_cast<E>(index);
+  return changed;
+}
 bool buttonWidget(const char* path, const char* label, const char* meaning = "");
 
 /// A red one as wide as the room, or as its text.
