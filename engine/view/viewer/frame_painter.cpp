@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "palpate/base/stopwatch.h"
-#include "view/viewer/editing/pointer.h"
+#include "view/viewer/editing/rings.h"
 #include "view/viewer/state/free_area.h"
 #include "view/viewer/state/home_view.h"
 

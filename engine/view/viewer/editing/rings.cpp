@@ -1,4 +1,4 @@
-#include "view/viewer/editing/pointer.h"
+#include "view/viewer/editing/rings.h"
 
 #include <algorithm>
 #include <array>

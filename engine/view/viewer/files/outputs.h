@@ -20,11 +20,7 @@
 
 namespace palpate::viewer {
 
-// Files written while one palpates: the forces of every tick, and frames as PNG files.
-//
-// Pictures are compressed and written on a thread of their own; the display waits only when it is many pictures ahead,
-// the servo never.
-
+/// A table of the forces of every tick.
 class ForceRecorder {
  public:
   /// Throws Error when the file cannot be written.
@@ -42,6 +38,8 @@ class ForceRecorder {
   std::optional<std::uint64_t> first_tick_;
 };
 
+/// Pictures are compressed and written on a thread of their own; the display waits only when it is many pictures ahead,
+/// the servo never.
 class PictureWriter {
  public:
   PictureWriter();

@@ -76,10 +76,9 @@ class ReplayLoader {
   std::optional<Background> work_;  // last: it uses the result
 };
 
-// A recording as the window plays it: the forces, on the recorded body, with its marks.
-//
-//   NAME.session ─ read on its own thread ─► RecordedTouch ─► frozen picture, plots, marks on the bar
-
+/// A recording as the window plays it: the forces, on the recorded body, with its marks.
+///
+///   NAME.session ─ read on its own thread ─► RecordedTouch ─► frozen picture, plots, marks on the bar
 /// The newest part of it on one body, at most kLongestReplayS long, as recorded: only the body is computed. Throws
 /// Error when the file cannot be read or the body cannot be built.
 RecordedTouch touchOfSession(const std::filesystem::path& file, const Progress& progress = {});

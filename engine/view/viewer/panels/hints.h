@@ -20,9 +20,8 @@ std::string_view hintText(int i);
 /// Goes to the next hint when the command does the present one; after the last, `wanted` becomes false.
 void countHint(const window::Command& command, int& hint, bool& wanted);
 
-// The first seconds: a finger enters from the side and presses, to show what the mouse can do. Any movement of the
-// mouse ends it.
-
+/// The first seconds: a finger enters from the side and presses, to show what the mouse can do. Any movement of the
+/// mouse ends it.
 class Intro {
  public:
   /// Starts it: on the torso near T6, elsewhere in the middle of the side that faces the camera.

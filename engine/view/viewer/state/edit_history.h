@@ -56,13 +56,6 @@ class EditHistory {
   std::deque<Step> redo_;
 };
 
-// Every change by whatever control, gesture or key as a step that can be undone, and whether there is something to
-// save. It compares the viewer's state once a frame instead of relying on each control: a new control needs nothing
-// here.
-//
-//   viewer state ─ as text ─ differs from the last quiet frame ─► step       undo, redo, reset ─► state,
-//   UiOutput::changed
-
 struct BodyView;
 struct Conversation;
 struct EditedScene;
@@ -86,6 +79,12 @@ struct Stir {
   bool any = true;      ///< anything that could cause a change
 };
 
+/// Every change by whatever control, gesture or key as a step that can be undone, and whether there is something to
+/// save. It compares the viewer's state once a frame instead of relying on each control: a new control needs nothing
+/// here.
+///
+///   viewer state ─ as text ─ differs from the last quiet frame ─► step       undo, redo, reset ─► state,
+///   UiOutput::changed
 class ChangeHistory {
  public:
   /// Call for a newly opened scene: nothing to undo and nothing to save.
