@@ -40,10 +40,9 @@ Image decodeImage(std::string_view bytes);
 void writePng(const std::filesystem::path& file, const Image& image);
 [[deprecated("use decodeImage instead")]] Image readPng(const std::filesystem::path& file);
 
-// A picture without its background: drawn once on white and once on black, each pixel shows how much of it was covered.
-// So edges, transparent skin and everything else that lets the background through stay transparent.
-
-/// Colours not mixed with any background, and how opaque each pixel is (0 to 255).
+/// A picture without its background: drawn once on white and once on black, each pixel shows how much of it was
+/// covered. So edges, transparent skin and everything else that lets the background through stay transparent. Its
+/// colours are not mixed with any background; opacity is 0 to 255.
 struct CutOut {
   Image image;
   std::vector<std::uint8_t> opacity;

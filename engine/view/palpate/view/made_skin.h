@@ -18,11 +18,9 @@ inline constexpr float kMadeSkinWhite = 1.35f;
 /// edges fit each other. About a second for a whole trunk (2 pixels per millimetre).
 Image paintedSkin(const scene::MadeSkin& made);
 
-// Smooth noise that is the same on every machine.
-//
-// Based on: Perlin, "An image synthesizer", 1985 (noise as sums of smooth lattice values).
-
-/// Smooth noise in [-1, 1] between values at the corners of a unit lattice (value noise).
+/// Smooth noise in [-1, 1] between values at the corners of a unit lattice (value noise), the same on every machine.
+///
+/// Based on: Perlin, "An image synthesizer", 1985 (noise as sums of smooth lattice values).
 double noiseAt(const Vec3& p);
 
 }  // namespace palpate::view

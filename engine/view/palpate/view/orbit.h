@@ -32,14 +32,12 @@ Camera centredOn(const Camera& camera, const Vec3& place);
 /// Between two cameras, share in [0, 1]: for flights.
 Camera between(const Camera& from, const Camera& to, double share);
 
-// Picks the skin under the cursor: always on the surface at rest, because a finger picked on its own dent would slide
-// into the hole it makes.
-
 /// The normal is the mean of the skin within this of the point, mm: about a fingertip, so that a single facet or bump
 /// does not tilt the finger.
 inline constexpr double kNormalRadiusMm = 8.0;
 
-/// The first hit of the ray on the front of the skin. Any thread; allocates nothing.
+/// Picks the skin under the cursor: always on the surface at rest, because a finger picked on its own dent would slide
+/// into the hole it makes. The first hit of the ray on the front of the skin. Any thread; allocates nothing.
 std::optional<SkinPlace> skinAlong(const contact::Surface& surface, const Ray& ray) noexcept;
 
 /// The place of the skin nearest to a point, if there is any within `reach_mm`.

@@ -62,12 +62,9 @@ class Drawing {
   Vec2f size_ = Vec2f::Zero();
 };
 
-// ---- the typeface of all pictures and panels, built into the program: no font file is needed where it runs.
-//
-// DejaVu Sans (https://dejavu-fonts.github.io), free to embed under the Bitstream Vera licence; its changes are in the
-// public domain.
-
-/// A TrueType file in memory, for the program's life.
+/// The typeface of all pictures and panels, a TrueType file built into the program: no font file is needed where it
+/// runs. DejaVu Sans (https://dejavu-fonts.github.io), free to embed under the Bitstream Vera licence; its changes are
+/// in the public domain.
 std::span<const unsigned char> embeddedFont();
 
 /// Ranges of characters that the pictures use, as ImGui wants them: pairs of first and last, ended by 0.

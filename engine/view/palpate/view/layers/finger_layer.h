@@ -16,9 +16,8 @@
 
 namespace palpate::view {
 
-// The pose of a hand whose index finger's pad rests on the skin: from caudal and a little from its own side, steep
-// enough that its other parts stay off the body. No GL.
-
+/// The pose of a hand whose index finger's pad rests on the skin: from caudal and a little from its own side, steep
+/// enough that its other parts stay off the body. No GL.
 /// From the hand's frame (body/hand.h) to the body's: place = origin + axes * point.
 struct HandPose {
   Mat3 axes = Mat3::Identity();  ///< a turn, and a size

@@ -76,12 +76,11 @@ class SkinChunks {
   SplitRuns runs_;
 };
 
-// The drawn skin's vertices: those of the skin, then a copy for each further place in the picture that a vertex on a
-// seam of the texture has.
-//
-// Only the drawing knows the copies: contact and deformation keep the skin's vertices, and a copy gets the values of
-// its vertex on their way to the graphics card. No GL.
-
+/// The drawn skin's vertices: those of the skin, then a copy for each further place in the picture that a vertex on a
+/// seam of the texture has.
+///
+/// Only the drawing knows the copies: contact and deformation keep the skin's vertices, and a copy gets the values of
+/// its vertex on their way to the graphics card. No GL.
 struct DrawnVertices {
   Index of_skin = 0;                       ///< the skin's own, first in every array
   std::vector<Index> copied;               ///< the vertex that each copy repeats, ascending

@@ -19,13 +19,6 @@
 
 namespace palpate::view {
 
-// Places where the skin is pale because a finger pressed the blood away, and for how long.
-//
-// A finger that presses makes a mark where its anchor is and leaves marks behind as it slides; each refills after the
-// finger has gone. No GL: numbers in, numbers out.
-//
-//   presses of this picture, time ─► Blanching ─► marks, the strongest first ─► SkinPaint, where the skin is drawn
-
 /// A mark in coordinates of the skin at rest.
 struct PressMark {
   Vec3f place = Vec3f::Zero();
@@ -44,6 +37,12 @@ inline constexpr std::size_t kMaxMarks = 8;
 /// Skin of a healthy back has its colour again after this time.
 inline constexpr double kRefillS = 1.5;
 
+/// Places where the skin is pale because a finger pressed the blood away, and for how long.
+///
+/// A finger that presses makes a mark where its anchor is and leaves marks behind as it slides; each refills after the
+/// finger has gone. No GL: numbers in, numbers out.
+///
+///   presses of this picture, time ─► Blanching ─► marks, the strongest first ─► SkinPaint, where the skin is drawn
 class Blanching {
  public:
   /// The marks at this time, the strongest first, at most kMaxMarks. The same presses and time again change nothing; an

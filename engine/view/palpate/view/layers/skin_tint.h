@@ -21,9 +21,8 @@ inline constexpr double kTintUnit = 128.0;
 /// One per vertex of the skin.
 std::vector<TintBytes> skinTints(const scene::World& world);
 
-// The share of the sky that each place of the skin at rest sees: less light reaches folds, armpits and the spine. Once
-// at load; skinTints darkens the colour of the skin by it.
-
+/// The share of the sky that each place of the skin at rest sees: less light reaches folds, armpits and the spine. Once
+/// at load; skinTints darkens the colour of the skin by it.
 /// One per vertex: 1 sees all of its sky, 0 nothing. A few hundredths of a second, whatever the number of triangles.
 std::vector<float> skyLeft(const deform::Skin& skin);
 

@@ -30,9 +30,8 @@ class SupportLayer {
   GLsizei count_ = 0;
 };
 
-// The background: a soft dark or light gradient, or white paper. Drawn after the opaque things, on the far plane, so
-// that no pixel is shaded twice.
-
+/// The background: a soft dark or light gradient, or white paper. Drawn after the opaque things, on the far plane, so
+/// that no pixel is shaded twice.
 class Background {
  public:
   Background();

@@ -17,9 +17,8 @@
 
 namespace palpate::view {
 
-// The scale of the skin's colours: field, colour map, unit. The skin is coloured and the legend is drawn from the same
-// colour maps, so that a pixel can be read back.
-
+/// The scale of the skin's colours: field, colour map, unit. The skin is coloured and the legend is drawn from the same
+/// colour maps, so that a pixel can be read back.
 struct ColourScale {
   ColourMap map;
   std::string_view title;

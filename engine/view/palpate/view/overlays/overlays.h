@@ -21,9 +21,8 @@
 
 namespace palpate::view {
 
-// The dissertation's partition, drawn: leaves, splitting planes, and the cells in the detecting box of a finger (Fig
-// 3.6).
-
+/// The dissertation's partition, drawn: leaves, splitting planes, and the cells in the detecting box of a finger (Fig
+/// 3.6).
 /// A partition of the world's skin, and the edges of the detecting box.
 struct ShownPartition {
   std::shared_ptr<const hdb::Partition> partition;

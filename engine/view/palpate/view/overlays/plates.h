@@ -47,10 +47,9 @@ ColourBytes encodedColour(const Vec3f& linear);
 void writeLabel(Drawing& page, const Vec2f& place, std::string_view words, const LabelInks& inks,
                 Align align = Align::left, TextSize size = TextSize::normal);
 
-// Plates of names left and right of the body, each level with its place as far as its neighbours allow.
-//
-// Pure: points of a page in, plates out; no GL, no letters. The same tags give the same plates.
-
+/// Plates of names left and right of the body, each level with its place as far as its neighbours allow.
+///
+/// Pure: points of a page in, plates out; no GL, no letters. The same tags give the same plates.
 struct NameTag {
   Vec2f dot = Vec2f::Zero();   ///< the place on the page
   Vec2f size = Vec2f::Zero();  ///< size of its plate
