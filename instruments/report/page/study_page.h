@@ -116,11 +116,8 @@ struct Extent {
   operator Json() const { return {least, most}; }  ///< among the values of a finding: {x|rounded " to "}
 };
 
-// A study that writes a page: its name, its help and how it is run.
-//
-// instruments/study/dissertation/studies.cpp lists them; `palpate study NAME`, `study all` and the report find them
-// there.
-
+/// A study that writes a page: its name, its help and how it is run. instruments/study/dissertation/studies.cpp lists
+/// them; `palpate study NAME`, `study all` and the report find them there.
 struct Study {
   std::string name;  ///< name of the subcommand
   std::string what;  ///< its help, one line

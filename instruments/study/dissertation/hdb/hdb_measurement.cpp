@@ -20,13 +20,6 @@ namespace palpate::study {
 
 namespace {
 
-// A finger whose haptic detecting box follows late, and how often it gets through the skin (3.3.3, E12).
-//
-//   stroke ─► stepHdb, tick by tick ─► a tick without contact is checked by the height of the skin above its tip
-//
-// Each stroke has a finger and a list of its own, whose refreshes are put off by another number of ticks: a puncture
-// depends on where in its delay the box is when the finger comes.
-
 struct LateBoxResult {
   int strokes = 0;
   int punctured = 0;         ///< strokes in which the tip was inside the body and nothing held it
@@ -34,12 +27,6 @@ struct LateBoxResult {
 
   double puncturedShare() const { return strokes > 0 ? static_cast<double>(punctured) / strokes : 0.0; }
 };
-
-/// Every stroke starts with a new finger and ends at its puncture. `box` sets the size of the box and after how many
-/// ticks it follows; the phase differs from stroke to stroke.
-LateBoxResult strokeWithLateBox(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
-                                const std::vector<std::vector<Vec3>>& strokes,
-                                const contact::FingerSettings& finger = {});
 
 // Above any skin of the benchmark's back, mm.
 constexpr double kSkyMm = 1000.0;
@@ -70,8 +57,16 @@ bool isPunctured(const contact::Surface& surface, const contact::FingerSettings&
   return false;
 }
 
+/// A finger whose haptic detecting box follows late, and how often it gets through the skin (3.3.3, E12):
+///
+///   stroke ─► stepHdb, tick by tick ─► a tick without contact is checked by the height of the skin above its tip
+///
+/// Every stroke starts with a new finger and ends at its puncture. `box` sets the size of the box and after how many
+/// ticks it follows. Each stroke has a list of its own, whose refreshes are put off by another number of ticks: a
+/// puncture depends on where in its delay the box is when the finger comes.
 LateBoxResult strokeWithLateBox(const contact::Surface& surface, const std::shared_ptr<const hdb::HdbSurface>& box,
-                                const std::vector<std::vector<Vec3>>& strokes, const contact::FingerSettings& finger) {
+                                const std::vector<std::vector<Vec3>>& strokes,
+                                const contact::FingerSettings& finger = {}) {
   LateBoxResult result;
   Listed listed;
   std::uint32_t phase = 0;
