@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "palpate/device/detail/remote_device.h"
+#include "palpate/device/detail/remote_gate.h"
 #include "palpate/device/trajectory.h"
 
 namespace {

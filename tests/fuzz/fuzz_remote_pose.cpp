@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "palpate/device/detail/remote_device.h"
+#include "palpate/device/detail/remote_gate.h"
 #include "palpate/device/trajectory.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

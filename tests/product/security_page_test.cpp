@@ -13,6 +13,7 @@
 #include "palpate/classroom/messages.h"
 #include "palpate/classroom/row_keeper.h"
 #include "palpate/device/detail/remote_device.h"
+#include "palpate/device/detail/remote_gate.h"
 #include "palpate/device/device_profile.h"
 #include "palpate/measure/photograph.h"
 #include "palpate/scene/detail/toml_node.h"

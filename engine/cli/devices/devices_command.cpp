@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/devices/devices_report.h"
+#include "cli/devices/identify_run.h"
 #include "cli/kit/device_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"

@@ -1,4 +1,4 @@
-#include "cli/devices/devices_report.h"
+#include "cli/devices/identify_run.h"
 
 #include <fmt/format.h>
 

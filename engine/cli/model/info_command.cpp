@@ -30,12 +30,11 @@ namespace palpate::app {
 
 namespace {
 
-// `palpate body info` on other files: a recorded table of forces, and an unfinished file.
-//
-// The table is read as a replay reads it, so the report holds for the replay.
-
 namespace fs = std::filesystem;
 
+// --- a recorded table of forces, or an unfinished file ---
+
+/// As a replay reads it, so the report holds for the replay.
 std::vector<trace::RecordedFinger> readRecordedFingers(const fs::path& file) {
   if (trace::isForcesTable(file)) return trace::readForcesTable(file);
   if (!fs::exists(file)) throw Error::inFile(file.string(), "no such file");

@@ -1,3 +1,4 @@
+#include "cli/render/contact_sheet.h"
 
 #include <fmt/format.h>
 

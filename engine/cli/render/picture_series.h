@@ -1,10 +1,9 @@
-// Pictures of one world, one after the other: fingers in, deformed skin drawn; and several on one sheet.
+// Pictures of one world, one after the other: fingers in, deformed skin drawn.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "palpate/base/progress.h"
 #include "palpate/engine/living_skin.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/loop.h"
@@ -35,18 +34,5 @@ class PictureSeries {
   engine::LivingSkin skin_;
   view::Studio studio_;
 };
-
-// A run on one sheet: the body at rest, pressed, dragged, its strain, the triangles that are felt, the cut through the
-// contact.
-
-/// The moments that the sheet shows; empty ones leave their pictures out.
-struct SheetMoments {
-  servo::TickSamples pressed;  ///< where the fingers were deepest
-  servo::TickSamples dragged;  ///< where they pulled the skin farthest
-};
-
-/// Throws Error where nothing can be drawn.
-view::Image contactSheet(const std::shared_ptr<const scene::World>& world, const SheetMoments& moments,
-                         const Progress& progress);
 
 }  // namespace palpate::app

@@ -14,6 +14,7 @@
 #include "cli/serve/access.h"
 #include "cli/serve/network.h"
 #include "cli/serve/touch_text.h"
+#include "cli/serve/visit_book.h"
 #include "cli/serve/wire.h"
 #include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"

@@ -1,5 +1,5 @@
 // Strict: an unknown key, a value that is not a number or out of range, or a word too many make a message invalid.
-#include "cli/serve/finger_control.h"
+#include "cli/serve/messages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cli/serve/access.h"
+#include "cli/serve/visit_book.h"
 
 #include <algorithm>
 

@@ -11,7 +11,7 @@
 #include "cli/kit/families.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/output_place.h"
-#include "cli/render/picture_series.h"
+#include "cli/render/contact_sheet.h"
 #include "cli/simulate/realtime_run.h"
 #include "cli/simulate/run_recorder.h"
 #include "palpate/base/error.h"

@@ -11,6 +11,7 @@
 #include "cli/serve/access.h"
 #include "cli/serve/finger_control.h"
 #include "cli/serve/network.h"
+#include "cli/serve/visit_book.h"
 #include "cli/tests/serve/plain_stream.h"
 #include "support/temporary_folder.h"
 #include "support/wait_for.h"

@@ -1,5 +1,5 @@
 // Who has to go when `palpate serve` has too many requests to answer.
-#include "cli/serve/access.h"
+#include "cli/serve/visit_book.h"
 
 #include <gtest/gtest.h>
 

@@ -25,14 +25,13 @@ namespace palpate::engine {
 
 namespace {
 
-// Finds the samples of a replay that can be proven where a recording lacks time: a finger's memory from there is not
-// known until it has rested (trace/recording_rest.h).
-//
-//   events "trim", "cut" of the recording ─► ReplayProof ─► compare this sample? forget before it?
-//
-// Within a tick first the recorded resets, then the events: a recording that was joined to another begins as one that
-// remembers nothing, and may have been cut itself.
-
+/// Finds the samples of a replay that can be proven where a recording lacks time: a finger's memory from there is not
+/// known until it has rested (trace/recording_rest.h).
+///
+///   events "trim", "cut" of the recording ─► ReplayProof ─► compare this sample? forget before it?
+///
+/// Within a tick first the recorded resets, then the events: a recording that was joined to another begins as one that
+/// remembers nothing, and may have been cut itself.
 class ReplayProof {
  public:
   explicit ReplayProof(trace::RecordingReader& recording);

@@ -28,10 +28,10 @@ std::string linesOf(const std::vector<KeyRow>& rows, const std::vector<KeyRow>& 
 /// Writes it, complete or not at all. Throws Error naming the file.
 void save(const Scene& scene, const std::filesystem::path& file);
 
-// Saves a scene into the file that a person wrote: only the changed lines are touched, so that comments, order and
-// layout stay. The TOML library reads comments away and cannot write them again; it does say where each key and value
-// is.
-
+/// Saves a scene into the file that a person wrote: only the changed lines are touched, so that comments, order and
+/// layout stay. The TOML library reads comments away and cannot write them again; it does say where each key and value
+/// is.
+///
 /// The text of a scene file, changed to mean `scene`; `file` is where it will lie. Lines that hold nothing but a
 /// comment are never lost. Nothing when the text does not read back as the scene: it is not a scene file, or holds its
 /// tables in a form that is not patched (keys to be added to `friction.static = 1`, or tables to a list in brackets).

@@ -1,13 +1,13 @@
 // Based on: the SQLite project's "Database File Format", sections 1.3 (header), 1.5 (freelist), 1.6 (b-tree pages,
 // cells and their overflow), 2.1 (records), 4 (write-ahead log).
-#include "palpate/base/path_text.h"
-#include "palpate/trace/recording_remains.h"
+#include "palpate/trace/sqlite_pages.h"
 
 #include <algorithm>
 #include <bit>
 #include <optional>
 
 #include "palpate/base/error.h"
+#include "palpate/base/path_text.h"
 
 namespace palpate::trace {
 

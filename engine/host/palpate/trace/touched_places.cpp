@@ -1,6 +1,6 @@
 // The skin is cut finer only where a place reaches it (found by the triangle tree); the small triangles are then found
 // from each place through a grid of their centres, as wide as the farthest reach.
-#include "palpate/trace/recording_statistics.h"
+#include "palpate/trace/touched_places.h"
 
 #include <algorithm>
 #include <cmath>

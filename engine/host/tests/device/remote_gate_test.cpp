@@ -1,5 +1,5 @@
 // The protocol of `remote` without a socket: how much is answered, who holds the finger, and what a key keeps out.
-#include "palpate/device/detail/remote_device.h"
+#include "palpate/device/detail/remote_gate.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // Back end `remote`: what a client is answered, and what a stranger may send.
 #include "palpate/device/detail/remote_device.h"
+#include "palpate/device/detail/remote_gate.h"
 
 #include <gtest/gtest.h>
 

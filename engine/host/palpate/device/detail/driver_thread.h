@@ -8,9 +8,8 @@
 
 namespace palpate::device {
 
-// A lock for a driver's thread and those who now and then want something of its driver: who waits is next. A thread
-// that gives a plain mutex back and takes it again at once can keep others out for as long as it likes.
-
+/// A lock for a driver's thread and those who now and then want something of its driver: who waits is next. A thread
+/// that gives a plain mutex back and takes it again at once can keep others out for as long as it likes.
 class Turns {
  public:
   void lock() {

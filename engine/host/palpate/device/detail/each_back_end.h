@@ -48,10 +48,10 @@ Probe probeHaply(const OpenOptions& options);
 /// Any number of devices; those of one service share a connection, each has its own position and force.
 Device openHaply(const OpenOptions& options);
 
-// Whatever has a plugin (palpate_device.h, plugin.cpp): `which` is its file or its name, with :WHICH for one of
-// several.
+// Whatever has a plugin (palpate_device.h, plugin.cpp).
 
-/// One plugin, or without a name all of those in the folders of PALPATE_DEVICE_PLUGINS.
+/// `which` is its file or its name, with :WHICH for one of several. One plugin, or without a name all of those in the
+/// folders of PALPATE_DEVICE_PLUGINS.
 Probe probePlugin(const OpenOptions& options);
 /// Called by the servo itself if it answers at once, else on its own thread like other hardware.
 Device openPlugin(const OpenOptions& options);

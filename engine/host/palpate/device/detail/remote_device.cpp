@@ -1,5 +1,6 @@
 // Receives until nothing waits, the newest good pose counts; sends to the finger's holder.
 #include "palpate/device/detail/remote_device.h"
+#include "palpate/device/detail/remote_gate.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Numbers by std::from_chars and fmt::format_to_n, which know no locale and allocate nothing.
-#include "palpate/device/detail/remote_device.h"
+#include "palpate/device/detail/remote_gate.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,12 @@
 // Names of the library's functions, and the devices it knows. Forces, stiffnesses and reaches as CHAI3D 3.3 lists them
 // for these devices. Cold path.
-#include "palpate/base/system/process.h"
-#include "palpate/device/hardware/forcedimension_driver.h"
+#include "palpate/device/hardware/forcedimension_api.h"
 
 #include <fmt/format.h>
 
 #include <array>
+
+#include "palpate/base/system/process.h"
 
 namespace palpate::device::forcedimension {
 

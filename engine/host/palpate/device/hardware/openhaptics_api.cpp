@@ -1,6 +1,6 @@
 // Names of the library's functions and what its error codes mean. Cold path.
+#include "palpate/device/hardware/openhaptics_api.h"
 #include "palpate/base/system/process.h"
-#include "palpate/device/hardware/openhaptics_session.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,7 @@
 // All there is in a scene file, in the order of the documentation: the keys before the first table, and the tables.
+//
+// A table is made of its keys: how it is read, described and written again. The tables themselves are in body_keys.cpp,
+// touch_keys.cpp, deformation_keys.cpp, view_keys.cpp and finger_keys.cpp; scene_keys.cpp puts them in order.
 #pragma once
 
 #include <functional>
@@ -11,10 +14,6 @@
 #include "palpate/scene/scene_file.h"
 
 namespace palpate::scene {
-
-// A table of a scene file made of its keys: how it is read, described and written again. The tables themselves are in
-// body_keys.cpp, touch_keys.cpp, deformation_keys.cpp, view_keys.cpp and finger_keys.cpp; scene_keys.cpp puts them in
-// order.
 
 /// One table of the file.
 struct Section {
