@@ -201,6 +201,22 @@ TEST(Seams, OneFileKnowsAssimp) {
   expectOnlyIn({"mesh/files/read_foreign.cpp"}, {{"ssimp"}, std::regex("<assimp/|Assimp::")});
 }
 
+/// Each house declares its own, so that the kit below them knows none.
+TEST(Seams, TheKitNamesNoCommand) {
+  const Pattern adds{{"add"}, std::regex(R"(\badd\w*(Command|Family)\()")};
+  EXPECT_EQ(placesIn(kSourceFolder / "engine/cli/kit", adds, {"options."}), kNowhere) << "options.h has addCommand";
+  EXPECT_TRUE(matches("void addRunCommand(Command& app);", adds));
+}
+
+/// What a program needs and nobody refers to is installed by a call of its main, which the linker follows by itself.
+TEST(Seams, NoLinkerIsToldOfANameThatNobodyUses) {
+  const Pattern told{{"undefined=", "-u,"}, std::regex("--undefined=|-Wl,-u,")};
+  for (const char* folder : {"engine", "instruments", "cmake", "examples", "tools"}) {
+    EXPECT_EQ(placesIn(kSourceFolder / folder, told, {}), kNowhere) << folder;
+  }
+  EXPECT_TRUE(matches("target_link_options(palpate INTERFACE LINKER:--undefined=palpate_host)", told));
+}
+
 TEST(Seams, OneFileKnowsSqlite) {
   expectOnlyIn({"trace/database.cpp"}, {{"sqlite3"}, std::regex("<sqlite3\\.h>|sqlite3_open")});
 }
