@@ -4,6 +4,7 @@
 
 #include "palpate/base/random.h"
 #include "palpate/training/block.h"
+#include "palpate/training/psychometric.h"
 #include "teach/study/training_parts.h"
 
 namespace palpate::study {
@@ -117,23 +118,13 @@ std::vector<ThresholdLikelihood> computeLikelihoods(const std::vector<std::vecto
   return all;
 }
 
-/// Where a standard normal has this share below it, by bisection.
-double normalQuantile(double share) {
-  double low = -8.0;
-  double high = 8.0;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (0.5 * std::erfc(-middle / std::sqrt(2.0)) < share ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 /// The group's thresholds without the chance of who is in it: evenly over the distribution, in drawn order.
 std::vector<double> evenGroup(double mean, std::uint64_t seed) {
   std::vector<double> thresholds;
   double sum = 0.0;
   for (std::size_t i = 0; i < kPeopleOfExample; ++i) {
-    thresholds.push_back(personThreshold(mean, normalQuantile((static_cast<double>(i) + 0.5) / kPeopleOfExample)));
+    thresholds.push_back(
+        personThreshold(mean, training::standardNormalQuantile((static_cast<double>(i) + 0.5) / kPeopleOfExample)));
     sum += thresholds.back();
   }
   for (double& threshold : thresholds) threshold *= mean * kPeopleOfExample / sum;

@@ -21,6 +21,9 @@ using training::Screen;
 
 /// A finger of the mouse presses as hard as this everywhere, so that what differs is how far the skin gives way.
 constexpr double kMousePressN = 2.0;
+/// The window stands still for so long where another program holds the record; its rows are written in milliseconds, and
+/// what could not be written is tried again at the trainee's next key.
+constexpr std::chrono::milliseconds kMaxRecordWait{500};
 /// "Answer saved." stays this long over the next trial, s.
 constexpr double kAnswerSavedS = 3.0;
 /// Digits that follow each other faster belong to one number, ms.
@@ -67,7 +70,7 @@ training::StationRow findStation(training::Store& store, const std::optional<cla
 
 TrainingMode::TrainingMode(TrainingSettings settings)
     : settings_(std::move(settings)),
-      store_(settings_.records, training::Store::Open::create_too),
+      store_(settings_.records, training::Store::Open::create_too, kMaxRecordWait),
       sign_in_(store_, settings_.protocol, settings_.sign_in),
       voice_(settings_.speech),
       thimble_(settings_.thimble) {

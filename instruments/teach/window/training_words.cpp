@@ -22,11 +22,6 @@ TrainingButton button(TrainingAct act, std::string label, std::string line = {})
   return {.act = act, .label = std::move(label), .line = std::move(line)};
 }
 
-std::string withCapitalLetter(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 // --- the front desk
 
 TrainingScreen signInScreen(const TrainingView& view) {
@@ -349,7 +344,7 @@ TrainingScreen overScreen(const TrainingView& view) {
       break;
     case TrainingOver::trouble:
       screen.title = tr("The last answer is not saved yet");
-      screen.lines = {withCapitalLetter(view.trouble), tr("Nothing is lost: call your teacher, then try again.")};
+      screen.lines = {training::withCapital(view.trouble), tr("Nothing is lost: call your teacher, then try again.")};
       screen.trouble = true;
       screen.buttons = {button(TrainingAct::retry, tr("Try again"))};
       screen.keys = tr("Enter tries again.");

@@ -72,8 +72,8 @@ void ClassWatch::remember(const training::Uuid& trainee, const training::BlockRo
 }
 
 bool ClassWatch::ask(const std::string& station, const Command& command) {
-  const Envelope envelope{impl_->sequence++, training::makeUuidV7(training::utcMs(), training::systemRandom()),
-                          steadyS()};
+  const Envelope envelope =
+      makeEnvelope(impl_->sequence++, training::makeUuidV7(training::utcMs(), training::systemRandom()));
   return impl_->mqtt->publish({topicText({impl_->class_id, station, "cmd"}), commandText(envelope, command), 1, false,
                                static_cast<std::uint32_t>(kCommandExpiryS)});
 }

@@ -214,13 +214,11 @@ struct Collector::Impl {
     const auto answer = [&](const std::string& station, const std::vector<std::string>& texts) {
       for (const std::string& text : texts) mqtt->publish({topicText({class_id, station, "ack"}), text, 1, false, 0});
     };
-    for (const auto& [station, rows] : keys) answer(station, ackTexts(nextEnvelope(rows.front()), rows));
-    for (const auto& [by, rows] : refused) answer(by.first, refusalTexts(nextEnvelope(rows.front()), rows, by.second));
+    for (const auto& [station, rows] : keys) answer(station, ackTexts(makeEnvelope(sequence++, rows.front()), rows));
+    for (const auto& [by, rows] : refused)
+      answer(by.first, refusalTexts(makeEnvelope(sequence++, rows.front()), rows, by.second));
     notifyDeletions(batch, kept, answer);
     note(batch, kept, refused, trials);
-  }
-  Envelope nextEnvelope(const training::Uuid& id) {
-    return {sequence++, id, std::chrono::duration<double>(Clock::now().time_since_epoch()).count()};
   }
   template <class Answer>
   void notifyDeletions(const Batch& batch, const KeptRows& kept, const Answer& answer) {
@@ -230,7 +228,7 @@ struct Collector::Impl {
         continue;
       told_at[station] = now;
       const auto sent = std::ranges::find(batch.rows, station, &SentRow::station);
-      answer(sent->name, deletionNoticeTexts(nextEnvelope(station), marks));
+      answer(sent->name, deletionNoticeTexts(makeEnvelope(sequence++, station), marks));
     }
   }
   template <class Refused>

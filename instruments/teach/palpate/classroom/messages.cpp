@@ -10,6 +10,7 @@
 
 #include "palpate/base/base64.h"
 #include "palpate/base/json.h"
+#include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/training/records/row_check.h"
@@ -248,6 +249,10 @@ StationState makeStationState(const training::Session& session) {
     state.palpate_force_n = trials.back().palpate_force_n;
   }
   return state;
+}
+
+Envelope makeEnvelope(std::uint64_t sequence, const training::Uuid& id) {
+  return {sequence, id, std::chrono::duration<double>(Clock::now().time_since_epoch()).count()};
 }
 
 std::string statusText(const Envelope& envelope, const StationStatus& status) {

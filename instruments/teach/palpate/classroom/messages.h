@@ -49,6 +49,9 @@ struct Envelope {
   double monotonic_s = 0.0;    ///< the station's own clock: its differences mean something
 };
 
+/// By the clock of this moment.
+Envelope makeEnvelope(std::uint64_t sequence, const training::Uuid& id);
+
 /// Identity of a station while it is online.
 struct StationStatus {
   bool online = false;

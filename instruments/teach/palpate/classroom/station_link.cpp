@@ -46,7 +46,8 @@ struct StationLink::Impl {
     settings.subscriptions = {{topic("ack"), 1}, {topic("cmd"), 1}};
     StationStatus gone = status;
     gone.online = false;
-    settings.will = OutMessage{topic("status"), statusText(nextEnvelope(member.station_id), gone), 1, true, 0};
+    settings.will =
+        OutMessage{topic("status"), statusText(makeEnvelope(sequence++, member.station_id), gone), 1, true, 0};
     mqtt.emplace(settings,
                  MqttHandlers{[this](auto where, auto what) { received(where, what); }, [this] { markStateStale(); }});
     thread = std::thread([this] { run(); });
@@ -60,7 +61,7 @@ struct StationLink::Impl {
     thread.join();
     status.online = false;
     mqtt->publish({topic("state"), {}, 1, true, 0});
-    mqtt->publish({topic("status"), statusText(nextEnvelope(member.station_id), status), 1, true, 0});
+    mqtt->publish({topic("status"), statusText(makeEnvelope(sequence++, member.station_id), status), 1, true, 0});
     mqtt.reset();
   }
   Impl(const Impl&) = delete;
@@ -72,9 +73,6 @@ struct StationLink::Impl {
     return {store.file(), training::Store::Open::existing};
   }
   std::string topic(const char* kind) const { return topicText({member.class_id, member.name, kind}); }
-  Envelope nextEnvelope(const training::Uuid& id) {
-    return {sequence++, id, std::chrono::duration<double>(Clock::now().time_since_epoch()).count()};
-  }
 
   // In the connection's thread.
   void received(std::string_view where, std::string_view what) {
@@ -174,21 +172,21 @@ struct StationLink::Impl {
   void publishStatus(std::unique_lock<std::mutex>& lock) {
     if (!mqtt->connected()) return;
     if (status_stale) {
-      const std::string text = statusText(nextEnvelope(member.station_id), status);
+      const std::string text = statusText(makeEnvelope(sequence++, member.station_id), status);
       status_stale = false;
       lock.unlock();
       if (!mqtt->publish({topic("status"), text, 1, true, 0})) status_stale = true;
       lock.lock();
     }
     if (!state_stale) return;
-    const std::string text = state ? stateText(nextEnvelope(state->session), *state) : std::string();
+    const std::string text = state ? stateText(makeEnvelope(sequence++, state->session), *state) : std::string();
     state_stale = false;
     lock.unlock();
     if (!mqtt->publish({topic("state"), text, 1, true, 0})) state_stale = true;
     lock.lock();
   }
   void sendLive(std::unique_lock<std::mutex>& lock) {
-    const std::string text = liveText(nextEnvelope(state ? state->session : member.station_id), *live);
+    const std::string text = liveText(makeEnvelope(sequence++, state ? state->session : member.station_id), *live);
     live.reset();
     lock.unlock();
     if (mqtt->publish({topic("live"), text, 0, false, 0})) ++live_count;
@@ -207,7 +205,8 @@ struct StationLink::Impl {
         continue;
       }
       if (!sender.consumeToken(Clock::now())) return;
-      if (!mqtt->publish({topic(entry.kind.c_str()), rowText(nextEnvelope(entry.row), entry.body), 1, false, 0}))
+      if (!mqtt->publish(
+              {topic(entry.kind.c_str()), rowText(makeEnvelope(sequence++, entry.row), entry.body), 1, false, 0}))
         return;
       ++sent_count;
       if (sender.wasSent(entry.row)) ++repeat_count;

@@ -8,6 +8,7 @@
 #include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
+#include "palpate/lumps/lump_observer.h"
 
 namespace palpate::lumps {
 
@@ -277,8 +278,6 @@ void LumpBlock::drawExam(LumpTrial& trial) {
 // ---- counted
 
 namespace {
-
-double standardNormalBelow(double x) { return 0.5 * (1.0 + elementary::erf(x / std::sqrt(2.0))); }
 
 /// A lump that was looked for.
 struct Sought {

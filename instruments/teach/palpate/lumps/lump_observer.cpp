@@ -17,9 +17,6 @@ namespace {
 
 constexpr std::size_t kMostTaxels = contact::kMaxTaxels * contact::kMaxTaxels;
 
-/// Probability below x of a standard normal.
-double phi(double x) noexcept { return 0.5 * (1.0 + elementary::erf(x / std::sqrt(2.0))); }
-
 double normalForce(const contact::FingerOutput& felt) noexcept { return felt.force.dot(felt.normal); }
 
 /// The greatest rise of a taxel over itself in the press without lumps; over softer lumps the greatest fall.
@@ -47,6 +44,8 @@ double computePatternChange(const contact::FingerOutput& with, const contact::Fi
 }
 
 }  // namespace
+
+double standardNormalBelow(double x) noexcept { return 0.5 * (1.0 + elementary::erf(x / std::sqrt(2.0))); }
 
 void check(const LumpObserver& observer) {
   const auto positive = [](const char* name, double value) {
@@ -89,10 +88,10 @@ double computeClarity(const LumpCue& cue, const LumpObserver& observer) noexcept
 
 double detectionProbability(double clarity, const LumpObserver& observer) noexcept {
   if (!(clarity > 0.0)) return 0.0;
-  return (1.0 - kInattention) * phi(elementary::log(clarity) / observer.spread);
+  return (1.0 - kInattention) * standardNormalBelow(elementary::log(clarity) / observer.spread);
 }
 
-double twoIntervals(double clarity) noexcept { return phi(clarity / std::sqrt(2.0)); }
+double twoIntervals(double clarity) noexcept { return standardNormalBelow(clarity / std::sqrt(2.0)); }
 
 double drawSkill(const LumpObserver& observer, Random& random) {
   return observer.spread * std::sqrt(0.5) * random.normal();

@@ -25,6 +25,9 @@ inline constexpr double kStrokesApartMm = 16.0;
 /// Share of completely clear lumps that people miss by inattention.
 inline constexpr double kInattention = 0.02;
 
+/// Probability below x of a standard normal.
+double standardNormalBelow(double x) noexcept;
+
 struct LumpObserver {
   double force_weber = 0.08;     ///< clinicians' Weber fraction of the force (De Carvalho 2019)
   double pattern_weber = 0.036;  ///< for a taxel's pressure; fitted: 0.036 and 3.4, or 0.080 and 1.5 (1985)

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <vector>
+
+#include "palpate/training/psychometric.h"
 
 namespace palpate::training {
 
@@ -28,16 +29,14 @@ struct MeanAndVariance {
   double variance = 0.0;
 };
 
-double normalBelowGroup(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
-
 /// Shares of a normal in the cells around the places: right however narrow it is.
 std::vector<double> computeCellShares(const FittedNormal& normal, const std::vector<double>& places) {
   const double cell = places[1] - places[0];
   std::vector<double> shares;
   shares.reserve(places.size());
-  double below = normalBelowGroup((places.front() - 0.5 * cell - normal.mean) / normal.sd);
+  double below = standardNormalBelow((places.front() - 0.5 * cell - normal.mean) / normal.sd);
   for (const double place : places) {
-    const double up_to = normalBelowGroup((place + 0.5 * cell - normal.mean) / normal.sd);
+    const double up_to = standardNormalBelow((place + 0.5 * cell - normal.mean) / normal.sd);
     shares.push_back(up_to - below);
     below = up_to;
   }

@@ -18,8 +18,6 @@ struct IdealObserver {
   double slope = 0.0;    ///< slope of the Weibull that takes as long from F = 1/4 to 3/4
 };
 
-double standardNormalBelow(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
-
 /// How often the place with `d_prime` feels strongest among `choices`, and the derivative.
 struct RightAndRise {
   double right = 0.0;
@@ -74,6 +72,18 @@ IdealObserver idealAmong(int choices) {
 }
 
 }  // namespace
+
+double standardNormalBelow(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
+
+double standardNormalQuantile(double share) {
+  double low = -8.0;
+  double high = 8.0;
+  while (high - low > 1e-12) {
+    const double middle = 0.5 * (low + high);
+    (standardNormalBelow(middle) < share ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
 
 double probabilityCorrect(const Psychometric& function, double change) {
   if (!(change > 0.0)) return function.guess;

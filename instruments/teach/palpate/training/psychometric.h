@@ -14,6 +14,11 @@
 
 namespace palpate::training {
 
+/// Probability below x of a standard normal. lumps/lump_observer.h has its own with the same bits on every platform.
+double standardNormalBelow(double x);
+/// The x with this probability below it, in (0, 1); to 1e-12, by bisection.
+double standardNormalQuantile(double share);
+
 struct Psychometric {
   double threshold = 0.22;  ///< T, a change in (0, 1]
   double slope = 1.8;       ///< beta

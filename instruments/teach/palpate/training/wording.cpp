@@ -16,11 +16,6 @@ constexpr std::array<const char*, 13> kNumberWords = {
     toTranslate("five"), toTranslate("six"),    toTranslate("seven"), toTranslate("eight"), toTranslate("nine"),
     toTranslate("ten"),  toTranslate("eleven"), toTranslate("twelve")};
 
-std::string withCapital(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
 int choiceCount(const Protocol& protocol) {
   return protocol.sites.empty() ? 12 : static_cast<int>(protocol.sites.size());
 }
@@ -62,6 +57,11 @@ std::string practiceSummary(const BlockResult& result, SessionKind kind) {
 }
 
 }  // namespace
+
+std::string withCapital(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
 
 std::string spellNumber(int number) {
   if (number >= 0 && static_cast<std::size_t>(number) < kNumberWords.size()) {

@@ -34,5 +34,7 @@ std::string answerSaved();               ///< tests
 std::string notPressedYet(int missing);  ///< "Two places were not pressed yet."
 std::string blockSummary(const BlockResult& result, SessionKind kind, const std::optional<ShownThreshold>& before);
 std::string spellNumber(int number);  ///< "two"; digits above twelve
+/// The first letter, where it is one of English; others stay.
+std::string withCapital(std::string text);
 
 }  // namespace palpate::training

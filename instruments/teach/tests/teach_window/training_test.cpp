@@ -594,6 +594,9 @@ TEST_F(TrainingWindow, NothingIsLostWhileTheRecordCannotBeWritten) {
     other.run("BEGIN IMMEDIATE");
     stage.answer(3);
     EXPECT_TRUE(stage.training->screen().trouble);
+    const auto began = Clock::now();
+    stage.frame();
+    EXPECT_LT(Clock::now() - began, std::chrono::milliseconds(2500)) << "the window stands still meanwhile";
     stage.key(Key::enter);
     EXPECT_TRUE(stage.training->screen().trouble) << "nothing goes on";
     other.run("COMMIT");

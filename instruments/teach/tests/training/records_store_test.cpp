@@ -8,7 +8,9 @@
 #include <array>
 #include <csignal>
 #include <set>
+#include <thread>
 
+#include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/trace/database.h"
 #include "support/error_message.h"
@@ -180,6 +182,24 @@ TEST(RecordsStore, TwoProgramsKeepAtOnce) {
   }
   EXPECT_EQ(samples::saidAll(one.rows().all()), samples::saidAll(two.rows().all()));
   EXPECT_EQ(one.rows().trialCount(), 20);
+}
+
+TEST(RecordsStore, WaitsForAnotherProgramAsLongAsItIsToldAndElseForFiveSeconds) {
+  const support::TemporaryFolder folder;
+  Store patient(folder / "a.results", Store::Open::create_too);
+  Store hasty(folder / "a.results", Store::Open::existing, std::chrono::milliseconds(100));
+  trace::Database other(folder / "a.results", trace::Database::Mode::write);
+  other.run("BEGIN IMMEDIATE");
+  const auto began = Clock::now();
+  EXPECT_THROW(hasty.save(samples::station()), Error);
+  EXPECT_LT(Clock::now() - began, std::chrono::milliseconds(900));
+  std::thread ends([&] {
+    std::this_thread::sleep_until(began + std::chrono::milliseconds(1500));
+    other.run("COMMIT");
+  });
+  EXPECT_NO_THROW(patient.save(samples::station()));
+  EXPECT_GE(Clock::now() - began, std::chrono::milliseconds(1500));
+  ends.join();
 }
 
 TEST(RecordsStore, WhatAClassRefusedStaysAndIsTriedAgainWhenAsked) {

@@ -16,24 +16,19 @@ class SqliteSql : public Sql {
  public:
   /// `called`: in messages, instead of the file's name.
   SqliteSql(const std::filesystem::path& file, trace::Database::Mode mode, const std::filesystem::path& called = {})
-      : database_(file, mode, called) {
-    database_.setMaxWait(kMaxWait);
-  }
+      : database_(file, mode, called) {}
 
   Dialect dialect() const override { return Dialect::sqlite; }
   void run(const std::string& statements) override { database_.run(statements); }
   std::vector<SqlValues> ask(std::string_view sql, const SqlValues& values = {}) override;
   std::int64_t change(std::string_view sql, const SqlValues& values = {}) override;
+  void setMaxWait(std::chrono::milliseconds wait) { database_.setMaxWait(wait); }
   /// See known_schema.h.
   void requireKnownSchema(const trace::KnownSchema& known, std::string_view what) {
     trace::requireKnownSchema(database_, known, what);
   }
 
  private:
-  /// A window stands still for so long where another program holds the record; its rows are written in milliseconds,
-  /// and what could not be written is tried again at the trainee's next key.
-  static constexpr std::chrono::milliseconds kMaxWait{500};
-
   trace::Statement& prepared(std::string_view sql, const SqlValues& values);
 
   trace::Database database_;

@@ -67,7 +67,8 @@ bool isOfNewerSchema(SqliteSql& sql) {
   return text != nullptr && trace::isKnown(schemaOfRecords(), *text) && readSchemaVersion(sql) > kSchemaVersion;
 }
 
-std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how) {
+std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how,
+                                         std::optional<std::chrono::milliseconds> max_wait) {
   std::error_code error;
   if (how == Store::Open::create_too && !fs::exists(file, error)) {
     if (file.has_parent_path()) makePrivateFolder(file.parent_path());
@@ -75,6 +76,7 @@ std::unique_ptr<SqliteSql> openedRecords(const fs::path& file, Store::Open how) 
   }
   using Mode = trace::Database::Mode;
   auto sql = std::make_unique<SqliteSql>(file, how == Store::Open::read_only ? Mode::read : Mode::write);
+  if (max_wait) sql->setMaxWait(*max_wait);
   std::int64_t id = 0;
   try {
     id = sql->number("PRAGMA application_id");
@@ -144,7 +146,8 @@ struct Store::Impl {
   }
 };
 
-Store::Store(const fs::path& file, Open how) : impl_(std::make_unique<Impl>(file, openedRecords(file, how), how)) {}
+Store::Store(const fs::path& file, Open how, std::optional<std::chrono::milliseconds> max_wait)
+    : impl_(std::make_unique<Impl>(file, openedRecords(file, how, max_wait), how)) {}
 Store::Store(std::unique_ptr<Impl> tables) : impl_(std::move(tables)) {}
 Store Store::inMemory(const std::string& called) {
   auto sql = std::make_unique<SqliteSql>(":memory:", trace::Database::Mode::create, called);

@@ -6,6 +6,7 @@
 // STRICT tables, WAL, synchronous FULL, foreign keys. One thread at a time; any number of processes.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -30,8 +31,9 @@ class Store {
  public:
   enum class Open { existing, create_too, read_only };
   /// Migrates an older schema, inside one transaction. Throws Error if `file` is not a records file or has a newer
-  /// schema.
-  Store(const std::filesystem::path& file, Open how);
+  /// schema. `max_wait`: what is read or written waits so long where another program holds the file, and then throws
+  /// Error; 5 s unless given.
+  Store(const std::filesystem::path& file, Open how, std::optional<std::chrono::milliseconds> max_wait = {});
   /// Empty, gone with the object, for copies of what another database holds; messages call it so.
   static Store inMemory(const std::string& called);
   ~Store();

@@ -6,23 +6,13 @@
 #include <tuple>
 
 #include "palpate/base/error.h"
+#include "palpate/training/psychometric.h"
 
 namespace palpate::training {
 
 namespace {
 
 constexpr double kTwoSided = 1.959964;
-
-/// Bisects, since a report needs only a few.
-double bisectNormalQuantile(double share) {
-  double low = -8.0;
-  double high = 8.0;
-  while (high - low > 1e-12) {
-    const double middle = 0.5 * (low + high);
-    (0.5 * std::erfc(-middle / std::numbers::sqrt2) < share ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
 
 /// A share with half an answer on each side, its place on the normal scale, and that place's variance.
 struct Scaled {
@@ -33,7 +23,7 @@ struct Scaled {
 Scaled scaled(const LumpRate& rate) {
   const double n = rate.whole + 1.0;
   const double share = (rate.part + 0.5) / n;
-  const double z = bisectNormalQuantile(share);
+  const double z = standardNormalQuantile(share);
   const double density = std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
   return {z, share * (1.0 - share) / (n * density * density)};
 }
