@@ -55,7 +55,7 @@ viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
     settings.sign_in.code = *code;
   }
   settings.leads_back = !settings.member && options.code.empty();
-  settings.thimble = options.thimble;
+  settings.sign_in.thimble = options.thimble;
   settings.seed = options.seed;
   settings.recording_files = !options.no_recording_file;
   if (!options.no_speech) settings.speech = viewer::speechProgram();

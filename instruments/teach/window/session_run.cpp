@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "palpate/base/error.h"
@@ -9,6 +10,17 @@
 namespace palpate::viewer {
 
 namespace {
+
+/// "Answer saved." stays this long over the next trial, s.
+constexpr double kAnswerSavedS = 3.0;
+
+bool hidesTheSame(const scene::Scene& a, const scene::Scene& b) {
+  const auto same_lump = [](const scene::LumpSettings& x, const scene::LumpSettings& y) {
+    return x.x_mm == y.x_mm && x.y_mm == y.y_mm && x.diameter_mm == y.diameter_mm && x.depth_mm == y.depth_mm &&
+           x.stiffness_ratio == y.stiffness_ratio && x.mobility_mm_per_n == y.mobility_mm_per_n;
+  };
+  return a.dysfunctions == b.dysfunctions && std::ranges::equal(a.lumps, b.lumps, same_lump);
+}
 
 std::vector<trace::RecordingFinger> fingersOf(LiveServo& servo) {
   std::vector<trace::RecordingFinger> fingers;
@@ -81,17 +93,46 @@ std::string RowWriter::finish(const training::Uuid& session, std::string_view en
   return {};
 }
 
-SessionRun::SessionRun(training::Store& store, LiveServo& servo, const training::SessionPlan& plan,
-                       const training::Moment& now)
-    : rows_(store, servo, plan.row.file), session_(std::make_unique<training::Session>(plan, now)), latest_(now) {}
+void SessionRun::advance(double elapsed_s, bool stands_still) {
+  if (!stands_still && !world_.waiting()) {
+    clock_s_ += elapsed_s;
+    session().tick(now());
+  }
+  const std::uint64_t number = session().said().number;
+  if (std::exchange(said_, number) != number) said_s_ = clock_s_;
+}
 
-SessionRun::~SessionRun() { finish("interrupted", latest_); }
+bool SessionRun::saidLongAgo() const { return clock_s_ - said_s_ > kAnswerSavedS; }
 
-std::string SessionRun::finish(std::string_view ended_by, const training::Moment& now) {
-  if (std::exchange(finished_, true) || !session_) return {};
-  session_->leave(now);
+void SessionRun::feel(const trace::Sample& sample, bool came, bool stands_still) {
+  tick_ = std::max(tick_, sample.tick);
+  if (stands_still || world_.waiting()) return;
+  const bool on_trial = session().screen() == training::Screen::trial && !session().paused();
+  if (came && on_trial && world_.begins()) session().ready(now());
+  task_->feel(sample, now());
+}
+
+void SessionRun::requestBody(ViewerState& viewer, WorldSwap& world_swap, bool stands_still) {
+  const TrialWorld::Body body = stands_still ? TrialWorld::Body{} : task_->wanted();
+  if (world_.request(body)) world_swap.showTemporarily(task_->makeScene(base_, body), viewer);
+}
+
+void SessionRun::handleNewWorld(const scene::World& world) {
+  if (!world_.waiting()) return;
+  world_.taken(hidesTheSame(world.scene, task_->makeScene(base_, world_.requested().value_or(TrialWorld::Body{}))));
+  task_->handleNewWorld(world);
+}
+
+Task::Acted SessionRun::act(const TrainingClick& click) {
+  if (click.act == TrainingAct::pause) return session().pause(now()), Task::Acted::done;
+  if (click.act == TrainingAct::go_on) return session().goOn(now()), Task::Acted::done;
+  return task_->act(click, world_.waiting(), now());
+}
+
+std::string SessionRun::finish(std::string_view ended_by) {
+  session().leave(now());
   const bool kept = save();
-  const std::string words = rows_.finish(session_->plan().row.id, ended_by);
+  const std::string words = rows_.finish(session().plan().row.id, ended_by);
   return kept ? words : trouble();
 }
 

@@ -1,23 +1,21 @@
 // A session that is under way, with what must not be lost of it: its rows in the record before the next screen, its
-// ticks in a recording that trials point into.
+// ticks in a recording that trials point into; and its clock, which stands while the body is built.
 //
-//   Session::drainRows ─ save ─► Store           servo ─► engine::Recorder ─► sessions/ID.session ─ locked when
-//   it is over
+//   Sitting::drainRows ─ save ─► Store           servo ─► engine::Recorder ─► sessions/ID.session ─ locked when it is
+//   over Task::wanted ─ request ─► WorldSwap (built aside, handed to the servo) ─► the trial's clock begins
 //
 // A row that cannot be written waits, and the session does not continue until it is written.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "palpate/engine/recorder.h"
 #include "palpate/training/records/recording_files.h"
-#include "palpate/training/session/session.h"
+#include "teach/window/task.h"
 #include "view/viewer/world/live_servo.h"
 
 namespace palpate::viewer {
@@ -48,92 +46,42 @@ class RowWriter {
 
 class SessionRun {
  public:
-  /// Starts the recording if the plan names a file. All must outlive it. Throws Error.
-  SessionRun(training::Store& store, LiveServo& servo, const training::SessionPlan& plan, const training::Moment& now);
-  /// As `finish`, without a word.
-  ~SessionRun();
-  SessionRun(const SessionRun&) = delete;
-  SessionRun& operator=(const SessionRun&) = delete;
+  /// Starts the recording if the session's row names a file. Store and world must outlive it. Throws Error.
+  SessionRun(training::Store& store, LiveServo& servo, TrialWorld& world, scene::Scene base, std::unique_ptr<Task> task)
+      : rows_(store, servo, task->session().plan().row.file),
+        world_(world),
+        base_(std::move(base)),
+        task_(std::move(task)) {}
 
-  training::Session& session() { return *session_; }
-  const training::Session& session() const { return *session_; }
+  Task& task() const { return *task_; }
+  training::Sitting& session() const { return task_->session(); }
+  training::Moment now() const { return {clock_s_, training::utcMs(), tick_}; }
+  /// `stands_still`: a question is open. Nothing can be felt then: no searching while the clock is stopped.
+  void advance(double elapsed_s, bool stands_still);
+  /// `came`: the first tick on the requested body.
+  void feel(const trace::Sample& sample, bool came, bool stands_still);
+  void requestBody(ViewerState& viewer, WorldSwap& world_swap, bool stands_still);
+  void handleNewWorld(const scene::World& world);
+  Task::Acted act(const TrainingClick& click);
+  /// Whether the last text has been read, and makes room.
+  bool saidLongAgo() const;
 
   /// Rows go into the record; whether nothing waits. If not, `trouble` says why.
-  bool save() { return rows_.save(session_->drainRows()); }
+  bool save() { return rows_.save(session().drainRows()); }
   const std::string& trouble() const { return rows_.trouble(); }
   /// The recording is finished and locked with the trainee's key. Leaves a running session. Words for the user about
   /// what went wrong; empty: all is well.
-  std::string finish(std::string_view ended_by, const training::Moment& now);
+  std::string finish(std::string_view ended_by);
 
  private:
   RowWriter rows_;
-  std::unique_ptr<training::Session> session_;
-  training::Moment latest_;
-  bool finished_ = false;
-};
-
-// The body of a trial on its way to the finger. Its making takes time, and the clock of a trial begins with the first
-// tick that is felt on it.
-//
-//   requested ─ built on its own thread, handed to the servo ─► taken ─ first tick on it ─► felt
-//
-// Pure: it builds nothing.
-
-class TrialWorld {
- public:
-  /// A body to be felt, and for which trial: another trial is another body, even if the place is the same, so that the
-  /// build time reveals nothing.
-  struct Body {
-    std::optional<training::HiddenNow> hidden = {};
-    int trial = 0;
-    friend bool operator==(const Body&, const Body&) = default;
-  };
-
-  /// True if it is another one than was requested last: it has to be made.
-  bool request(const Body& body) {
-    if (requested_ == body) return false;
-    requested_ = body;
-    state_ = State::requested;
-    before_ = newest_;
-    return true;
-  }
-  const std::optional<Body>& requested() const { return requested_; }
-  /// The servo has taken a world: the requested one, or another.
-  void taken(bool as_requested) {
-    if (waiting()) state_ = as_requested ? State::taken : State::requested;
-  }
-  /// Every tick, with the number of the world it was felt on. True once, with the first one on the requested body.
-  bool feel(std::uint32_t world) {
-    newest_ = std::max(newest_, world);
-    if (state_ != State::taken || world <= before_) return false;
-    state_ = State::felt;
-    return true;
-  }
-  /// Requested, and not felt yet.
-  bool waiting() const { return state_ != State::felt; }
-  /// True once for each trial: an interrupted one continues when its body is built again.
-  bool begins() {
-    if (!requested_ || begun_ == *requested_) return false;
-    begun_ = *requested_;
-    return true;
-  }
-  /// It could not be made: the next request makes it again.
-  void fail() { requested_.reset(); }
-  /// No trial is under way.
-  void clear() {
-    requested_.reset();
-    begun_ = kNone;
-    state_ = State::felt;
-  }
-
- private:
-  enum class State : std::uint8_t { requested, taken, felt };
-  static constexpr Body kNone = {.hidden = std::nullopt, .trial = -1};
-  State state_ = State::felt;
-  std::optional<Body> requested_;
-  Body begun_ = kNone;        ///< clock has begun; GCC 12.2 miscompiles the comparison of two optionals here
-  std::uint32_t newest_ = 0;  ///< newest of the worlds that were felt
-  std::uint32_t before_ = 0;  ///< the newest when the body was requested
+  TrialWorld& world_;
+  scene::Scene base_;
+  std::unique_ptr<Task> task_;
+  double clock_s_ = 0.0;
+  std::uint64_t tick_ = 0;
+  double said_s_ = 0.0;
+  std::uint64_t said_ = 0;
 };
 
 }  // namespace palpate::viewer

@@ -102,6 +102,11 @@ bool SignIn::choose(int value) {
     enter();
     return true;
   }
+  if (stage_ == TrainingStage::thimble && index < kThimbles.size()) {
+    settings_.thimble = kThimbles[index].word;
+    stage_ = TrainingStage::session;
+    return true;
+  }
   if (stage_ != TrainingStage::choice || index >= offers_.size() || !offers_[index].enabled) return false;
   chosen_ = offers_[index].kind;
   notice_.clear();
@@ -145,13 +150,20 @@ bool SignIn::act(TrainingAct act, int value) {
       if (act == TrainingAct::no) return signOut(), true;
       return false;
     case TrainingStage::thimble:
+      if (act != TrainingAct::no) return false;
+      chosen_.reset();
+      return returnToChoice(), true;
     case TrainingStage::session:
       return false;
   }
   return false;
 }
 
-std::optional<training::SessionKind> SignIn::consumeChoice() { return std::exchange(chosen_, std::nullopt); }
+std::optional<training::SessionKind> SignIn::consumeChoice(bool has_device) {
+  if (!chosen_ || !has_device || !settings_.thimble.empty()) return std::exchange(chosen_, std::nullopt);
+  stage_ = TrainingStage::thimble;
+  return std::nullopt;
+}
 
 void SignIn::describe(TrainingView& view) const {
   view.stage = stage_;

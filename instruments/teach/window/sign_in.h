@@ -22,6 +22,7 @@ struct SignInSettings {
   std::string code = {};
   /// Done at once after signing in, in place of the choice.
   std::optional<training::SessionKind> kind = {};
+  std::string thimble = {};  ///< worn with a device; empty: the trainee is asked
 };
 
 class SignIn {
@@ -44,8 +45,9 @@ class SignIn {
 
   TrainingStage stage() const { return stage_; }
   const training::TraineeRow& trainee() const { return trainee_; }
-  /// Once, when the choice was made.
-  std::optional<training::SessionKind> consumeChoice();
+  const std::string& thimble() const { return settings_.thimble; }
+  /// Once, when the choice was made. Who has a device is asked for the thimble first.
+  std::optional<training::SessionKind> consumeChoice(bool has_device);
   void describe(TrainingView& view) const;
 
  private:

@@ -89,6 +89,26 @@ TrainingStroke onCard(const window::InputEvent& event, const TrainingScreen& scr
 
 }  // namespace
 
+bool isForbidden(const window::Command& command) {
+  using CommandKind = window::Command::Kind;
+  switch (command.kind) {
+    case CommandKind::act: {
+      using window::Action;
+      static constexpr std::array kAllowed = {Action::deeper, Action::lighter,     Action::home,
+                                              Action::clutch, Action::full_screen, Action::screenshot};
+      return std::ranges::find(kAllowed, command.action) == kAllowed.end();
+    }
+    case CommandKind::edit_grab:
+    case CommandKind::edit_move:
+    case CommandKind::edit_drop:
+    case CommandKind::edit_size:
+    case CommandKind::edit_strength:
+      return true;
+    default:
+      return false;
+  }
+}
+
 TrainingStroke interpretInput(const window::InputEvent& event, const TrainingScreen& screen) {
   using EventKind = window::InputEvent::Kind;
   if (event.kind == EventKind::text) return {.kind = StrokeKind::letters, .text = event.text};

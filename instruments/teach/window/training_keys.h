@@ -31,6 +31,9 @@ struct TrainingStroke {
   Vec2 by = Vec2::Zero();
 };
 
+/// Of the mouse and the keys, all but what a test allows.
+bool isForbidden(const window::Command& command);
+
 TrainingStroke interpretInput(const window::InputEvent& event, const TrainingScreen& screen);
 
 /// The nearest site that lies in this direction (x right, y up); the same if none does, the first from none.

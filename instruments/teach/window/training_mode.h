@@ -1,9 +1,8 @@
 // The training window: what `palpate train` puts in the place of menus and panels. From events to acts, from acts to a
 // session, from the session to the body that is felt, to the screen, to the voice and to the record.
 //
-//   InputEvent, click, device's button ─► act ─► SignIn │ Session ─► rows ─► Store
-//   Session::hidden ─ trialScene ─► WorldSwap (built aside, handed to the servo) ─► the trial's clock begins
-//   servo ─ samples ─► Session::feel
+//   InputEvent, click, device's button ─► act ─► SignIn │ Task ─► rows ─► Store
+//   servo ─ samples ─► Task ─► Session (places) │ LumpSession
 //
 // During a session the window offers nothing that would reveal more than the finger does.
 #pragma once
@@ -15,27 +14,13 @@
 
 #include "palpate/view/painter.h"
 #include "teach/window/class_line.h"
-#include "teach/window/lump_sitting.h"
 #include "teach/window/session_run.h"
-#include "teach/window/sign_in.h"
-#include "teach/window/training_keys.h"
+#include "teach/window/session_start.h"
 #include "teach/window/voice.h"
 #include "view/viewer/modes/mode.h"
 #include "view/viewer/state/async_task.h"
 
 namespace palpate::viewer {
-
-struct TrainingSettings {
-  std::filesystem::path records;
-  training::Protocol protocol = training::builtInProtocol();
-  SignInSettings sign_in = {};
-  std::string thimble = {};                      ///< worn with a device; empty: the trainee is asked
-  std::optional<std::uint64_t> seed = {};        ///< nothing: the system's randomness, another one for each session
-  bool recording_files = true;                   ///< trials are kept tick by tick
-  std::optional<std::string> speech = {};        ///< program
-  std::optional<classroom::Member> member = {};  ///< for a class with a live view
-  bool leads_back = false;                       ///< to the start page, from the sign-in
-};
 
 class TrainingMode : public Mode {
  public:
@@ -53,7 +38,7 @@ class TrainingMode : public Mode {
   void handleNewWorld(const scene::World& world) override;
   void feel(const trace::Sample& sample) override;
   /// The sites with room around them.
-  std::optional<Eigen::AlignedBox3d> homeBox() const override;
+  std::optional<Eigen::AlignedBox3d> homeBox() const override { return roomAround(ground_.sites); }
   /// Where sites are seen, and the keyboard's finger.
   void look(const Sight& sight, const ViewerState& viewer) override;
   bool handle(const window::InputEvent& event, ViewerState& viewer, bool typing) override;
@@ -74,62 +59,27 @@ class TrainingMode : public Mode {
   std::string finish(std::string_view ended_by) override;
 
   const TrainingScreen& screen() const { return screen_; }
-  const training::Session* session() const { return run_ ? &run_->session() : nullptr; }
-  const training::LumpSession* lumpSession() const { return lumps_ ? &lumps_->session() : nullptr; }
+  // The session that is under way, if it is of this kind.
+  training::Session* session() const { return run_ ? run_->task().places() : nullptr; }
+  const training::LumpSession* lumpSession() const { return run_ ? run_->task().lumps() : nullptr; }
   bool waiting() const { return world_.waiting(); }
 
  private:
-  /// Question that blocks everything else.
-  enum class State : std::uint8_t { going_on, leaving, quitting, trouble, message };
-  /// A finger that no hand moves: it walks from site to site, where lumps are sought step by step over the skin, and
-  /// presses by a key.
-  struct KeyboardFinger {
-    bool presses = false;
-    bool moved = false;  ///< the pointer is still to be moved
-    std::optional<SkinPlace> place = {};
-    Vec2 step = Vec2::Zero();  ///< lumps: motion on the screen, points; y up
-    void press(bool down) {
-      presses = down;
-      moved = true;
-    }
-  };
-  /// Holder of the trained finger, and what it can render.
-  struct Holder {
-    bool mouse = true;
-    std::string words = "mouse";
-    double force_share = 1.0;
-    double ratios_kept_to_n = 0.0;
-    std::uint32_t ignored_buttons = 0;  ///< clutch and stop
-  };
-  static Holder makeHolder(const FingerHolders& holders, LiveServo& servo);
-
+  /// A question is open that must be answered before all else.
+  bool isAsked() const { return over_ != TrainingOver::none; }
   bool mayQuit();
-  training::Moment now() const;
-  bool paused() const;
-  bool clockRuns() const;
-  TrainingOver over() const;
-  TrainingView view() const;
-  void handle(const TrainingClick& click, const FingerHolders& holders, LiveServo& servo);
-  bool handleOver(TrainingAct act);
-  void actOnSession(TrainingAct act, int value);
-  void typed(const std::string& letters);
-  void walk(const Vec2& by);
-  void lookAtLumps(const Sight& sight, std::size_t active_finger);
-  bool canPick(int site) const;
+  void handle(const TrainingClick& click);
+  void answerQuestion(TrainingAct act);
+  void act(const TrainingClick& click);
   void handleButtons(std::uint32_t buttons);
-  void beginSession(const FingerHolders& holders, LiveServo& servo);
+  void beginSession(training::SessionKind kind, const ViewerState& viewer, LiveServo& servo);
   void endSession();
-  void leaveNow(bool quits);
-  training::SessionPlan makeSessionPlan(training::SessionKind kind, const FingerHolders& holders);
-  training::LumpSessionPlan makeLumpSessionPlan(const training::SessionPlan& plan);
-  void actOnLumps(TrainingAct act, int value);
-  bool asksBeforeLeaving() const;
+  void leaveNow();
+  void report(std::string trouble);
   void storeNewRows();
-  void followSafety(const DevicesShown& devices);
+  void followSafety(const ViewerState& viewer);
   void followClass();
-  TrialWorld::Body wanted() const;
-  void requestTrialBody(EditedScene& edited, WorldSwap& world_swap);
-  void speak();
+  void requestBody(ViewerState& viewer, WorldSwap& world_swap);
   void compose();
 
   TrainingSettings settings_;
@@ -138,14 +88,11 @@ class TrainingMode : public Mode {
   std::unique_ptr<ClassLine> class_;
   SignIn sign_in_;
   Voice voice_;
-  training::SiteSet sites_;
-  scene::Scene base_;
-  std::optional<training::SessionKind> kind_;  ///< chosen, waits for the thimble
+  TrainingGround ground_;
+  TrialWorld world_;
   std::unique_ptr<SessionRun> run_;
-  std::unique_ptr<LumpSessionRun> lumps_;                    ///< replaces the run in a session with lumps
-  std::shared_ptr<const scene::World> body_;                 ///< lumps are hidden in it
-  std::shared_ptr<const training::LumpBodies> lump_bodies_;  ///< filled on first use
-  State state_ = State::going_on;
+  TrainingOver over_ = TrainingOver::none;  ///< not `paused`: that is the session's
+  bool quits_ = false;                      ///< after leaving
   std::string message_;
   std::string trouble_;
   bool quit_ = false;
@@ -154,22 +101,10 @@ class TrainingMode : public Mode {
   std::vector<SeenSite> seen_;
   std::size_t focus_ = 0;
   std::string screen_title_;
-  int picked_ = 0;
-  std::string digits_;
-  std::int64_t digits_ms_ = 0;  ///< when the last of them came
-  KeyboardFinger keyboard_;
+  KeyboardFinger finger_;
   std::vector<TrainingClick> clicks_;
-  // The trials' clock: stopped while the body is built and while a question is open.
-  double clock_s_ = 0.0;
-  std::uint64_t tick_ = 0;
   std::uint32_t buttons_ = 0;
-  TrialWorld world_;
-  std::uint64_t spoken_ = 0;
-  std::string spoken_title_;
-  double said_s_ = 0.0;
-  std::uint64_t said_ = 0;
   Holder holder_;
-  std::string thimble_;
   std::string familiar_;  ///< trainee and device of the familiarisation in this run
   bool stopped_ = false;
 };

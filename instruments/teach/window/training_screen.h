@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palpate::viewer {
@@ -38,6 +39,10 @@ struct TrainingButton {
   std::string badge = {};  ///< next to the label: "suggested"
   bool enabled = true;
 };
+
+inline TrainingButton button(TrainingAct act, std::string label, std::string line = {}) {
+  return {.act = act, .label = std::move(label), .line = std::move(line)};
+}
 
 /// Look of a site. Never distinguished by colour alone: each has a shape of its own.
 struct SiteMark {

@@ -18,10 +18,6 @@ constexpr double kWholeForce = 0.995;
 
 constexpr const char* kCardKeys = toTranslate("Arrow keys choose, Enter confirms, Esc goes back.");
 
-TrainingButton button(TrainingAct act, std::string label, std::string line = {}) {
-  return {.act = act, .label = std::move(label), .line = std::move(line)};
-}
-
 // --- the front desk
 
 TrainingScreen signInScreen(const TrainingView& view) {
@@ -320,7 +316,7 @@ TrainingScreen stageScreen(const TrainingView& view) {
     case TrainingStage::thimble:
       return thimbleChoiceScreen(view);
     case TrainingStage::session:
-      return sessionScreen(view);
+      return view.lumps != nullptr ? makeLumpScreen(view) : sessionScreen(view);
   }
   return {};
 }

@@ -17,8 +17,9 @@
 #include "teach/window/training_screen.h"
 
 namespace palpate::training {
+class LumpSession;
 class Store;
-}
+}  // namespace palpate::training
 
 namespace palpate::viewer {
 
@@ -107,9 +108,16 @@ struct TrainingView {
   bool waiting = false;  ///< for the body of the trial
   int picked = 0;
   bool said_long_ago = false;  ///< the session's last text is old
+  // In place of `session`, where lumps are hidden.
+  const training::LumpSession* lumps = nullptr;
+  bool touched = false;   ///< a place was, that Here would name
+  std::size_t named = 0;  ///< number of marks, from the first, that were named
+  std::size_t marks = 0;
 };
 
 TrainingScreen makeTrainingScreen(const TrainingView& view);
+/// The part of it for `view.lumps` (lump_screens.cpp).
+TrainingScreen makeLumpScreen(const TrainingView& view);
 
 /// All words of the screen, whatever they are for.
 std::vector<std::string> wordsOf(const TrainingScreen& screen);

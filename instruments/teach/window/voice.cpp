@@ -92,6 +92,18 @@ void Voice::advance() {
   if (program_ && waiting_) begin(*std::exchange(waiting_, std::nullopt));
 }
 
+void Voice::follow(const training::Sitting* session, const std::string& title) {
+  advance();
+  if (!can()) return;
+  if (session != nullptr) {
+    const training::Said said = session->said();
+    if (std::exchange(spoken_, said.number) != said.number) say(said.text);
+    spoken_title_ = title;
+  } else if (std::exchange(spoken_title_, title) != title) {
+    say(title);
+  }
+}
+
 void Voice::stopSpeaking() {
   waiting_.reset();
   if (child_ <= 0) return;

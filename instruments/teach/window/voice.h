@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "palpate/training/session/sitting.h"
+
 namespace palpate::viewer {
 
 /// The program's path, from PATH; nothing: it is not installed, or PALPATE_SPEECH says "off". PALPATE_SPEECH may name
@@ -26,6 +28,9 @@ class Voice {
   void say(const std::string& sentence);
   /// Once a frame.
   void advance();
+  /// The same, and says what is new: the session's text or, without one, the screen's title.
+  void follow(const training::Sitting* session, const std::string& title);
+  void beginSession() { spoken_ = 0; }
   /// Drops waiting sentences; the current one ends.
   void stopSpeaking();
   bool speaks() const { return child_ > 0 || waiting_.has_value(); }
@@ -37,6 +42,8 @@ class Voice {
   std::optional<std::string> program_;
   pid_t child_ = 0;
   std::optional<std::string> waiting_;
+  std::uint64_t spoken_ = 0;  ///< Said::number
+  std::string spoken_title_;
 };
 
 /// The spoken form: signs that engines read out or stumble over become words.

@@ -33,7 +33,7 @@ TEST_F(LumpWindow, AnExaminationWithLumpsHidesThemAndKeepsEveryAnswer) {
   const training::LumpSession& session = *stage.training->lumpSession();
   stage.key(window::Key::enter);  // Start
   ASSERT_TRUE(stage.settled());
-  ASSERT_EQ(session.screen(), training::LumpScreen::trial);
+  ASSERT_EQ(session.screen(), training::Screen::trial);
   EXPECT_EQ(stage.viewer->world().scene.lumps.size(), 3U) << "in the body";
   EXPECT_TRUE(stage.training->screen().sites.empty()) << "and on no screen";
   EXPECT_FALSE(stage.training->screen().buttons.front().enabled) << "nothing was touched yet: Here means nothing";
@@ -56,7 +56,7 @@ TEST_F(LumpWindow, PracticeWithLumpsShowsInItsFeedbackWhereTheLumpLies) {
   ASSERT_TRUE(stage.settled());
   EXPECT_TRUE(stage.training->screen().sites.empty());
   stage.key(window::Key::enter);  // no lump
-  ASSERT_EQ(stage.training->lumpSession()->screen(), training::LumpScreen::feedback) << stage.words();
+  ASSERT_EQ(stage.training->lumpSession()->screen(), training::Screen::feedback) << stage.words();
   ASSERT_EQ(stage.training->screen().sites.size(), 1U);
   EXPECT_TRUE(stage.training->screen().sites.front().is_true);
   EXPECT_NE(stage.words().find("There was one"), std::string::npos) << stage.words();
@@ -126,8 +126,8 @@ TEST_F(LumpWindow, TheMouseShowsHowFarItSinksAndNothingOfTheLumps) {
 TEST_F(LumpWindow, AHandThatFeelsIsNotHelpedByTheEye) {
   TrainingSeat stage(records, training::SessionKind::lump_exam, training::builtInLumpProtocol());
   start(stage);
-  const LumpView view{.session = stage.training->lumpSession(), .by_mouse = false};
-  EXPECT_FALSE(makeLumpScreen(view).shows_sink);
+  const TrainingView view{.stage = TrainingStage::session, .by_mouse = false, .lumps = stage.training->lumpSession()};
+  EXPECT_FALSE(makeTrainingScreen(view).shows_sink);
   stage.viewer->finish();
 }
 
@@ -148,7 +148,7 @@ TEST_F(LumpWindow, PressuresAreSeenInPracticeAsTheProtocolSaysAndInNoExamination
     start(stage);
     EXPECT_FALSE(showsPressure(stage)) << "before the answer";
     stage.key(window::Key::enter);  // no lump
-    ASSERT_EQ(stage.training->lumpSession()->screen(), training::LumpScreen::feedback);
+    ASSERT_EQ(stage.training->lumpSession()->screen(), training::Screen::feedback);
     EXPECT_TRUE(showsPressure(stage));
     stage.viewer->finish();
   }

@@ -8,9 +8,9 @@
 #include <set>
 
 #include "palpate/base/language.h"
+#include "palpate/training/session/lump_session.h"
 #include "palpate/window/gui.h"
 #include "session_words.h"
-#include "teach/window/lump_sitting.h"
 #include "teach/window/training_painting.h"
 #include "training_seat.h"
 #include "view/tests/viewer/text_fit.h"
@@ -18,7 +18,7 @@
 namespace palpate::viewer {
 namespace {
 
-using training::LumpScreen;
+using training::Screen;
 using training::SessionKind;
 
 constexpr const char* kCodeOfSomebody = "7Q2MK-9DX4A";
@@ -102,15 +102,15 @@ Screens sessionScreens(SessionKind kind) {
     }
   };
   for (int step = 0; step < 400; ++step) {
-    const training::Screen at = somebody.session.screen();
+    const Screen at = somebody.session.screen();
     std::string name = fmt::format("{}, {}", wordFor(kind), wordFor(at));
-    if (at == training::Screen::feedback) name += somebody.session.trials().back().correct ? ", right" : ", wrong";
+    if (at == Screen::feedback) name += somebody.session.trials().back().correct ? ", right" : ", wrong";
     if (seen.insert(name).second) add(name);
-    if (at == training::Screen::finished) return screens;
-    if (at != training::Screen::free_exploration) somebody.pressAll();
+    if (at == Screen::finished) return screens;
+    if (at != Screen::free_exploration) somebody.pressAll();
     if (somebody.session.asks()) {
-      somebody.answer(step % 2 == 0 || at == training::Screen::familiarisation);
-    } else if (at == training::Screen::block_summary) {
+      somebody.answer(step % 2 == 0 || at == Screen::familiarisation);
+    } else if (at == Screen::block_summary) {
       somebody.session.leave({.s = somebody.s});
     } else {
       somebody.session.next({.s = somebody.s});
@@ -125,7 +125,7 @@ Screens lumpScreens(SessionKind kind) {
   static const training::Protocol protocol = training::builtInLumpProtocol();
   static const training::SiteSet sites = training::twelveSites(smallTorso()->body->anatomy.landmarks);
   static const auto bodies = std::make_shared<const training::LumpBodies>(smallTorso(), protocol, sites);
-  training::LumpSessionPlan plan;
+  training::SessionPlan plan;
   plan.protocol = protocol;
   plan.kind = kind;
   plan.bodies = bodies;
@@ -135,17 +135,18 @@ Screens lumpScreens(SessionKind kind) {
   Screens screens;
   std::set<std::string> seen;
   double s = 0.0;
-  while (session.screen() != LumpScreen::finished && s < 1000.0) {
+  while (session.screen() != Screen::finished && s < 1000.0) {
     const training::Moment now{.s = s += 1.0};
     const auto named = session.named().size();
-    const bool on_body = session.screen() == LumpScreen::trial || session.screen() == LumpScreen::feedback;
-    LumpView view{.session = &session, .corner = kCodeOfSomebody, .touched = true, .by_mouse = true};
+    const bool on_body = session.screen() == Screen::trial || session.screen() == Screen::feedback;
+    TrainingView view{.stage = TrainingStage::session, .code = kCodeOfSomebody, .by_mouse = true, .lumps = &session};
+    view.touched = true;
     view.named = named;
     view.marks = !on_body ? 0 : std::max(named + session.shown().size(), std::size_t{1});
     if (seen.insert(session.said().text).second) {
-      screens.push_back({fmt::format("{}, {}", wordFor(kind), session.said().text), makeLumpScreen(view)});
+      screens.push_back({fmt::format("{}, {}", wordFor(kind), session.said().text), makeTrainingScreen(view)});
     }
-    if (session.screen() != LumpScreen::trial) {
+    if (session.screen() != Screen::trial) {
       session.next(now);
     } else if (session.question() != lumps::LumpQuestion::place) {
       session.answer(session.bodyNumber() % 3 == 0 ? 0 : 1, now);
@@ -156,7 +157,7 @@ Screens lumpScreens(SessionKind kind) {
       session.answer(right ? Vec2(session.hidden()[named].place_mm) : Vec2(900.0, 900.0), now);
     }
   }
-  EXPECT_EQ(session.screen(), LumpScreen::finished);
+  EXPECT_EQ(session.screen(), Screen::finished);
   return screens;
 }
 

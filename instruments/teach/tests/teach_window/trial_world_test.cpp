@@ -1,5 +1,5 @@
 // The hand-over of a trial's body, without a body: requested, taken, felt.
-#include "teach/window/session_run.h"
+#include "teach/window/trial_world.h"
 
 #include <gtest/gtest.h>
 

@@ -41,11 +41,11 @@ Protocol shortProtocol() {
   return protocol;
 }
 
-LumpSessionPlan planOfLumps(SessionKind kind) {
+SessionPlan planOfLumps(SessionKind kind) {
   static const Protocol protocol = shortProtocol();
   static const SiteSet sites = sitesOn(*trunk(), protocol);
   static const auto bodies = std::make_shared<const LumpBodies>(trunk(), protocol, sites);
-  LumpSessionPlan plan;
+  SessionPlan plan;
   plan.protocol = protocol;
   plan.kind = kind;
   plan.bodies = bodies;
@@ -57,7 +57,7 @@ LumpSessionPlan planOfLumps(SessionKind kind) {
 Moment at(double s) { return {.s = s, .utc_ms = kSessionStartMs + std::llround(1000.0 * s), .tick = 0}; }
 
 TEST(LumpBodies, HideLumpsWhereThereIsRoomAndNowhereElse) {
-  const LumpSessionPlan plan = planOfLumps(SessionKind::lump);
+  const SessionPlan plan = planOfLumps(SessionKind::lump);
   ASSERT_GT(plan.bodies->places().size(), 100U);
   for (std::size_t i = 0; i < plan.bodies->places().size(); i += 97) {
     const lumps::HiddenLump largest{.place_mm = plan.bodies->places()[i], .size = 2, .depth = 2, .hardness = 2};
@@ -68,7 +68,7 @@ TEST(LumpBodies, HideLumpsWhereThereIsRoomAndNowhereElse) {
 }
 
 TEST(LumpBodies, ALargeHardShallowLumpIsPlainerThanASmallSoftDeepOne) {
-  const LumpSessionPlan plan = planOfLumps(SessionKind::lump);
+  const SessionPlan plan = planOfLumps(SessionKind::lump);
   const Vec2 place = plan.bodies->places()[plan.bodies->places().size() / 2];
   const double plain = plan.bodies->computeClarity({.place_mm = place, .size = 2, .depth = 0, .hardness = 2});
   const double faint = plan.bodies->computeClarity({.place_mm = place, .size = 0, .depth = 2, .hardness = 0});
@@ -80,12 +80,12 @@ TEST(LumpBodies, ALargeHardShallowLumpIsPlainerThanASmallSoftDeepOne) {
 TEST(LumpSession, AnExaminationNeverShowsALump) {
   LumpSession session(planOfLumps(SessionKind::lump_exam), at(0));
   double now = 0.0;
-  for (int i = 0; session.screen() != LumpScreen::finished; ++i) {
+  for (int i = 0; session.screen() != Screen::finished; ++i) {
     ASSERT_LT(i, 1000);
     EXPECT_TRUE(session.shown().empty());
     EXPECT_FALSE(session.padShown());
     now += 1.0;
-    if (session.screen() != LumpScreen::trial) {
+    if (session.screen() != Screen::trial) {
       session.next(at(now));
     } else if (session.question() != LumpQuestion::place) {
       ASSERT_TRUE(session.answer(1, at(now)));
@@ -125,12 +125,12 @@ TEST(LumpSession, PracticeShowsTheLumpInItsFeedbackAlone) {
   LumpSession session(planOfLumps(SessionKind::lump), at(0));
   session.next(at(1));
   int shown = 0;
-  while (session.screen() != LumpScreen::summary) {
-    ASSERT_EQ(session.screen(), LumpScreen::trial);
+  while (session.screen() != Screen::block_summary) {
+    ASSERT_EQ(session.screen(), Screen::trial);
     EXPECT_TRUE(session.shown().empty());
     EXPECT_FALSE(session.padShown());
     ASSERT_TRUE(session.answer(0, at(2)));
-    ASSERT_EQ(session.screen(), LumpScreen::feedback);
+    ASSERT_EQ(session.screen(), Screen::feedback);
     EXPECT_EQ(session.shown(), session.hidden());
     EXPECT_TRUE(session.padShown());
     shown += static_cast<int>(session.shown().size());
@@ -142,7 +142,7 @@ TEST(LumpSession, PracticeShowsTheLumpInItsFeedbackAlone) {
 }
 
 TEST(LumpSession, EveryAnswerIsInTheRowsAndASittingGoesOnFromIt) {
-  LumpSessionPlan plan = planOfLumps(SessionKind::lump_exam);
+  SessionPlan plan = planOfLumps(SessionKind::lump_exam);
   LumpSession session(plan, at(0));
   session.next(at(1));
   session.answer(Vec2(session.hidden().front().place_mm), at(2));

@@ -10,7 +10,6 @@
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
 #include "palpate/base/random.h"
-#include "palpate/training/records/trainee_code.h"
 #include "palpate/training/session/trial_scene.h"
 
 namespace palpate::training {
@@ -22,13 +21,6 @@ constexpr int kFamiliarSite = 4;
 /// Draws of familiarisation are those of no block: blocks count from 1.
 constexpr int kFamiliarDraws = -1;
 constexpr double kSecondsAMinute = 60.0;
-
-std::uint64_t sessionSeed(const SessionPlan& plan) {
-  Hash hash;
-  hash.add(plan.seed);
-  for (const char letter : plan.row.id) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(letter)));
-  return hash.value();
-}
 
 /// The place that a stiffer one is compared with: opposite it, or the next.
 int comparedWith(const SiteSet& sites, int number) {
@@ -56,22 +48,11 @@ ProtocolRow makeProtocolRow(const Protocol& protocol) {
           .sha256 = protocolSha256(protocol)};
 }
 
-struct Session::Impl {
-  SessionPlan plan;
+struct Session::Impl final : SittingState {
   const SessionSettings& settings;
-  Random ids;  // for rows
-  Screen screen = Screen::instruction;
-  Said said;
   Exploration exploration;
-  TrialWatch watch;
   std::optional<Block> block;
-  BlockRow block_row;
-  std::vector<TrialRow> trials;
-  std::vector<Row> rows;
-  Moment started;  // the session
-  Moment trial_started;
-  double paused_s = 0.0;  // in this trial
-  std::optional<Moment> paused_since;
+  Moment started;       // the session
   bool warned = false;  // about places not pressed, in this trial
   bool device_works = false;
   bool break_offered = false;
@@ -82,41 +63,17 @@ struct Session::Impl {
   Random familiar_draws;
 
   Impl(const SessionPlan& the_plan, const Moment& now)
-      : plan(the_plan),
+      : SittingState(the_plan, now),
         settings(settingsOf(plan.protocol, plan.kind)),
-        ids(sessionSeed(plan)),
         exploration(plan.sites, plan.protocol.exploration, plan.tick_s),
-        watch(plan.tick_s),
         started(now),
         familiar_draws(blockSeed(plan, kFamiliarDraws)) {}
 
-  void say(std::string text) {
-    said.text = std::move(text);
-    ++said.number;
-  }
-  Uuid newId(const Moment& now) {
-    const std::uint64_t first = ids.bits();
-    return makeUuidV7(now.utc_ms, {first, ids.bits()});
-  }
-  void recordEvent(std::string kind, std::string text, const Moment& now) {
-    rows.emplace_back(EventRow{.id = newId(now),
-                               .session_id = plan.row.id,
-                               .at_ms = now.utc_ms,
-                               .kind = std::move(kind),
-                               .text = std::move(text)});
-  }
-  void recordSession(std::int64_t end_ms) {
-    plan.row.end_ms = end_ms;
-    rows.emplace_back(plan.row);
-  }
+  std::string sentence() const override { return screen == Screen::trial ? instruction(plan.protocol, plan.kind) : ""; }
 
   // --- screens
 
   void open(const Moment& now) {
-    plan.row.kind = plan.kind;
-    plan.row.rng_seed = plan.seed;
-    plan.row.start_ms = now.utc_ms;
-    recordSession(0);
     if (!settings.natural_stiffness) recordEvent("tissue", fmt::format("{:g} N/mm", plan.protocol.base_n_per_mm), now);
     if (plan.kind != SessionKind::free) resumeOrBeginBlock(now);
     if (!plan.familiar) {
@@ -141,14 +98,8 @@ struct Session::Impl {
     block = Block(settings.block, blockSeed(plan, number));
     trials.clear();
     result.reset();
-    block_row = {.id = newId(now),
-                 .session_id = plan.row.id,
-                 .number = number,
-                 .method = settings.block.method,
-                 .change_meaning = settings.block.meaning,
-                 .protocol_id = plan.protocol.id,
-                 .protocol_version = plan.protocol.version,
-                 .state_json = block->state()};
+    block_row = newBlockRow(number, settings.block.method, settings.block.meaning, now);
+    block_row.state_json = block->state();
     rows.emplace_back(block_row);
   }
 
@@ -208,43 +159,27 @@ struct Session::Impl {
     screen = Screen::trial;
     warned = false;
     paused_since.reset();
+    restart(now);
+  }
+  void restart(const Moment& now) {
     startClock(now);
-  }
-  void startClock(const Moment& now) {
-    trial_started = now;
-    paused_s = 0.0;
     exploration.restart();
-    watch.restart();
-  }
-
-  double elapsed(const Moment& now) const {
-    const double paused_now = paused_since ? now.s - paused_since->s : 0.0;
-    return std::max(0.0, now.s - trial_started.s - paused_s - paused_now);
   }
 
   // --- answers
 
   TrialRow makeTrialRow(const TrialOutcome& outcome, const Moment& now) {
     const PlannedTrial& planned = block->next();
-    TrialRow row{.id = newId(now),
-                 .block_id = block_row.id,
-                 .session_id = plan.row.id,
-                 .number = planned.number,
-                 .start_ms = trial_started.utc_ms,
-                 .end_ms = now.utc_ms,
-                 .seconds = elapsed(now),
-                 .kind = planned.kind,
-                 .change = planned.change,
-                 .site_true = planned.site,
-                 .site_answer = outcome.answer,
-                 .correct = outcome.correct,
-                 .timed_out = outcome.answer == 0,
-                 .excluded = outcome.target_visited ? "" : "target not felt",
-                 .sites_felt = outcome.visited,
-                 .file_tick_first = trial_started.tick,
-                 .file_tick_last = now.tick,
-                 .visits = exploration.visits()};
-    watch.writeTo(row);
+    TrialRow row = newTrialRow(planned.number, now);
+    row.kind = planned.kind;
+    row.change = planned.change;
+    row.site_true = planned.site;
+    row.site_answer = outcome.answer;
+    row.correct = outcome.correct;
+    row.timed_out = outcome.answer == 0;
+    row.excluded = outcome.target_visited ? "" : "target not felt";
+    row.sites_felt = outcome.visited;
+    row.visits = exploration.visits();
     return row;
   }
 
@@ -313,38 +248,25 @@ struct Session::Impl {
     beginBlock(block_row.number + 1, now);
     introduce(now);
   }
-
-  void finish(const Moment& now) {
-    const bool unfinished = block && !block->finished();
-    screen = Screen::finished;
-    recordSession(now.utc_ms);
-    say(goodbye(unfinished));
-  }
 };
 
-Session::Session(const SessionPlan& plan, const Moment& now) {
-  const SessionSettings& settings = settingsOf(plan.protocol, plan.kind);
-  if (plan.kind != SessionKind::free && settings.block.choices != plan.sites.choices()) {
-    throw Error(fmt::format("session: the protocol asks for {} sites, the body has {}", settings.block.choices,
-                            plan.sites.choices()));
+Session::Session(const SessionPlan& plan, const Moment& now)
+    : Sitting(std::make_unique<Impl>(plan, now)), impl_(static_cast<Impl&>(*state_)) {
+  const int choices = impl_.settings.block.choices;
+  if (plan.kind != SessionKind::free && choices != plan.sites.choices()) {
+    throw Error(fmt::format("session: the protocol asks for {} sites, the body has {}", choices, plan.sites.choices()));
   }
-  impl_ = std::make_unique<Impl>(plan, now);
-  impl_->open(now);
+  impl_.open(now);
 }
 
-Session::~Session() = default;
-
-Screen Session::screen() const { return impl_->screen; }
-Said Session::said() const { return impl_->said; }
-
 std::optional<HiddenNow> Session::hidden() const {
-  switch (impl_->screen) {
+  switch (impl_.screen) {
     case Screen::familiarisation:
-      return HiddenNow{.site = impl_->familiar_stiffer, .change = largestChange(impl_->settings.block)};
+      return HiddenNow{.site = impl_.familiar_stiffer, .change = largestChange(impl_.settings.block)};
     case Screen::trial:
-      return HiddenNow{.site = impl_->block->next().site, .change = impl_->block->next().change};
+      return HiddenNow{.site = impl_.block->next().site, .change = impl_.block->next().change};
     case Screen::feedback:
-      return impl_->answered;
+      return impl_.answered;
     default:
       return std::nullopt;
   }
@@ -352,68 +274,68 @@ std::optional<HiddenNow> Session::hidden() const {
 
 bool Session::feelsTruth() const {
   const auto places = familiarPlaces();
-  return impl_->screen == Screen::feedback || (places && places->stiffer != 0);
+  return impl_.screen == Screen::feedback || (places && places->stiffer != 0);
 }
 
 std::optional<FamiliarPlaces> Session::familiarPlaces() const {
-  if (impl_->screen != Screen::familiarisation) return std::nullopt;
-  return impl_->familiar;
+  if (impl_.screen != Screen::familiarisation) return std::nullopt;
+  return impl_.familiar;
 }
 
 bool Session::asks() const {
   const auto places = familiarPlaces();
-  return impl_->screen == Screen::trial || (places && places->stiffer == 0);
+  return impl_.screen == Screen::trial || (places && places->stiffer == 0);
 }
 
-int Session::trialNumber() const { return impl_->block && !impl_->block->finished() ? impl_->block->next().number : 0; }
+int Session::trialNumber() const { return impl_.block && !impl_.block->finished() ? impl_.block->next().number : 0; }
 int Session::trialsAtMost() const {
-  return impl_->block ? impl_->settings.block.warm_up + impl_->settings.block.stop.most : 0;
+  return impl_.block ? impl_.settings.block.warm_up + impl_.settings.block.stop.most : 0;
 }
 double Session::secondsLeft(const Moment& now) const {
-  if (impl_->settings.limit_s <= 0.0) return std::numeric_limits<double>::infinity();
-  return std::max(0.0, impl_->settings.limit_s - impl_->elapsed(now));
+  if (impl_.settings.limit_s <= 0.0) return std::numeric_limits<double>::infinity();
+  return std::max(0.0, impl_.settings.limit_s - impl_.elapsed(now));
 }
 double Session::shareOfTimeLeft(const Moment& now) const {
-  if (impl_->settings.limit_s <= 0.0) return 1.0;
-  return secondsLeft(now) / impl_->settings.limit_s;
+  if (impl_.settings.limit_s <= 0.0) return 1.0;
+  return secondsLeft(now) / impl_.settings.limit_s;
 }
-bool Session::visited(int site) const { return impl_->exploration.visited(site); }
-int Session::touchedSite() const { return impl_->exploration.touchedSite(); }
-bool Session::showsProgress() const { return impl_->settings.feedback; }
+bool Session::visited(int site) const { return impl_.exploration.visited(site); }
+int Session::touchedSite() const { return impl_.exploration.touchedSite(); }
+bool Session::showsProgress() const { return impl_.settings.feedback; }
 
 void Session::ready(const Moment& now) {
-  if (impl_->screen != Screen::trial) return;
+  if (impl_.screen != Screen::trial) return;
   const bool stands_still = paused();
-  impl_->startClock(now);
-  if (stands_still) impl_->paused_since = now;
+  impl_.restart(now);
+  if (stands_still) impl_.paused_since = now;
 }
 
 void Session::feel(const trace::Sample& sample, const Moment& /*now*/) {
   if (paused()) return;
-  impl_->exploration.follow(sample);
-  if (impl_->screen == Screen::trial) impl_->watch.follow(sample);
-  if (impl_->screen != Screen::device_check || impl_->device_works) return;
-  if (sample.device_force.norm() < impl_->plan.protocol.exploration.force_n) return;
-  impl_->device_works = true;
-  impl_->say(deviceCheck(true));
+  impl_.exploration.follow(sample);
+  if (impl_.screen == Screen::trial) impl_.watch.follow(sample);
+  if (impl_.screen != Screen::device_check || impl_.device_works) return;
+  if (sample.device_force.norm() < impl_.plan.protocol.exploration.force_n) return;
+  impl_.device_works = true;
+  impl_.say(deviceCheck(true));
 }
 
 void Session::next(const Moment& now) {
   if (paused()) return goOn(now);
-  switch (impl_->screen) {
+  switch (impl_.screen) {
     case Screen::device_check:
-      if (!impl_->device_works) return impl_->say(deviceCheck(false));
-      return impl_->plan.kind == SessionKind::free ? impl_->introduce(now) : impl_->familiarise();
+      if (!impl_.device_works) return impl_.say(deviceCheck(false));
+      return impl_.plan.kind == SessionKind::free ? impl_.introduce(now) : impl_.familiarise();
     case Screen::familiarisation:
-      return asks() ? impl_->say(stifferQuestion()) : impl_->askFamiliar();
+      return asks() ? impl_.say(stifferQuestion()) : impl_.askFamiliar();
     case Screen::instruction:
-      return impl_->beginTrial(now);
+      return impl_.beginTrial(now);
     case Screen::feedback:
-      return impl_->proceedAfterAnswer(now);
+      return impl_.proceedAfterAnswer(now);
     case Screen::block_summary:
-      return impl_->afterSummary(now);
+      return impl_.afterSummary(now);
     case Screen::free_exploration:
-      return impl_->finish(now);
+      return impl_.finish(now);
     case Screen::trial:
     case Screen::finished:
       return;
@@ -421,51 +343,24 @@ void Session::next(const Moment& now) {
 }
 
 bool Session::answer(int site, const Moment& now) {
-  if (!asks() || paused() || impl_->plan.sites.numbered(site) == nullptr) return false;
-  if (impl_->screen == Screen::familiarisation) return impl_->answerFamiliar(site, now);
-  const int missing = impl_->plan.sites.choices() - impl_->exploration.visitedSites();
-  if (impl_->settings.all_sites && missing > 0 && !std::exchange(impl_->warned, true)) {
-    impl_->say(notPressedYet(missing));
+  if (!asks() || paused() || impl_.plan.sites.numbered(site) == nullptr) return false;
+  if (impl_.screen == Screen::familiarisation) return impl_.answerFamiliar(site, now);
+  const int missing = impl_.plan.sites.choices() - impl_.exploration.visitedSites();
+  if (impl_.settings.all_sites && missing > 0 && !std::exchange(impl_.warned, true)) {
+    impl_.say(notPressedYet(missing));
     return false;
   }
-  impl_->recordAnswer(site, now);
+  impl_.recordAnswer(site, now);
   return true;
 }
 
-void Session::pause(const Moment& now) {
-  if (paused() || impl_->screen == Screen::finished) return;
-  impl_->paused_since = now;
-  impl_->recordEvent("pause", std::string(wordFor(impl_->screen)), now);
-  impl_->say(pausedNotice());
-}
-
-void Session::goOn(const Moment& now) {
-  if (!paused()) return;
-  impl_->paused_s += now.s - impl_->paused_since->s;
-  impl_->paused_since.reset();
-  impl_->recordEvent("resume", std::string(wordFor(impl_->screen)), now);
-  impl_->say(impl_->screen == Screen::trial ? instruction(impl_->plan.protocol, impl_->plan.kind) : "");
-}
-
-bool Session::paused() const { return impl_->paused_since.has_value(); }
-
 void Session::tick(const Moment& now) {
-  if (impl_->screen != Screen::trial || paused()) return;
-  if (secondsLeft(now) <= 0.0) impl_->recordAnswer(0, now);
+  if (impl_.screen != Screen::trial || paused()) return;
+  if (secondsLeft(now) <= 0.0) impl_.recordAnswer(0, now);
 }
 
-void Session::safety(const std::string& what, const Moment& now) { impl_->recordEvent("safety", what, now); }
+void Session::safety(const std::string& what, const Moment& now) { impl_.recordEvent("safety", what, now); }
 
-void Session::leave(const Moment& now) {
-  if (impl_->screen == Screen::finished) return;
-  impl_->recordEvent("leave", std::string(wordFor(impl_->screen)), now);
-  impl_->paused_since.reset();
-  impl_->finish(now);
-}
-
-const SessionPlan& Session::plan() const { return impl_->plan; }
-const std::vector<TrialRow>& Session::trials() const { return impl_->trials; }
-std::optional<BlockResult> Session::result() const { return impl_->result; }
-std::vector<Row> Session::drainRows() { return std::exchange(impl_->rows, {}); }
+std::optional<BlockResult> Session::result() const { return impl_.result; }
 
 }  // namespace palpate::training

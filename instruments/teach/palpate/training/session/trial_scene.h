@@ -1,4 +1,4 @@
-// The body of a trial: a scene with its tissue made even (for tests) and a hidden place in it; and how it was felt.
+// The body of a trial: a scene with its tissue made even (for tests) and a hidden place in it.
 //
 //   present scene, protocol, HiddenNow ─ trialScene ─► Scene ─ scene::rebuilt ─► World
 //
@@ -6,14 +6,10 @@
 // every force law, because laws are proportional to the map.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <optional>
 
 #include "palpate/device/device_profile.h"
 #include "palpate/scene/scene.h"
-#include "palpate/trace/sample.h"
-#include "palpate/training/records/rows.h"
 #include "palpate/training/session/session.h"
 
 namespace palpate::training {
@@ -37,43 +33,5 @@ maps::Dysfunction dysfunctionAt(const Site& site, const HiddenPlace& place, doub
 /// natural_stiffness the tissue is the same everywhere and answers by Hooke's law at once.
 scene::Scene trialScene(const scene::Scene& base, const Protocol& protocol, SessionKind kind, const SiteSet& sites,
                         const std::optional<HiddenNow>& hidden);
-
-// Effort in a trial, from its samples: how hard, how fast, searching or staying.
-//
-//   trace::Sample of every tick ─ follow ─► forces and speed of the trial, for its row
-//
-// Masters press steadily and harder where they stay than where they search (Laufer et al. 2015). One thread; no
-// allocation.
-
-class TrialWatch {
- public:
-  explicit TrialWatch(double tick_s) : tick_s_(tick_s) {}
-
-  void restart() noexcept { *this = TrialWatch(tick_s_); }
-  void follow(const trace::Sample& sample) noexcept;
-  /// Means over the time in which the skin was touched; 0 without any.
-  void writeTo(TrialRow& row) const;
-
- private:
-  static constexpr std::size_t kMaxFingers = 4;
-  struct Mean {
-    double sum = 0.0;
-    std::uint64_t ticks = 0;
-    void add(double value) {
-      sum += value;
-      ++ticks;
-    }
-    double value() const { return ticks == 0 ? 0.0 : sum / static_cast<double>(ticks); }
-  };
-  struct Moving {
-    Vec3 tip = Vec3::Zero();
-    Vec3 velocity = Vec3::Zero();  ///< smoothed, mm/s
-    bool touched = false;
-  };
-  double tick_s_;
-  std::array<Moving, kMaxFingers> fingers_{};
-  Mean force_, speed_, searching_, staying_;
-  double peak_n_ = 0.0;
-};
 
 }  // namespace palpate::training

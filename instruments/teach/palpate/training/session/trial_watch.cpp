@@ -1,4 +1,4 @@
-#include "palpate/training/session/trial_scene.h"
+#include "palpate/training/session/trial_watch.h"
 
 #include <algorithm>
 

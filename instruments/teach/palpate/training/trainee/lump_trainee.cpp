@@ -37,10 +37,10 @@ bool LumpRun::stops() const {
 
 void LumpRun::run() {
   storeNewRows();
-  while (session_.screen() != LumpScreen::finished) {
+  while (session_.screen() != Screen::finished) {
     if (stops()) {
       session_.leave(now());
-    } else if (session_.screen() == LumpScreen::trial) {
+    } else if (session_.screen() == Screen::trial) {
       tryBody();
     } else {
       // A session is one block: reads the text and continues.

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "palpate/base/error.h"
-#include "palpate/base/hash.h"
 #include "palpate/base/private_folder.h"
 #include "palpate/engine/recording_settings.h"
 #include "palpate/training/records/recording_files.h"
@@ -28,13 +27,6 @@ constexpr std::uint64_t kStationSeed = 1;
 /// Between two sessions: half of a week, as two practices a week are.
 constexpr std::int64_t kBetweenMs = std::int64_t{84} * 3600 * 1000;
 
-std::uint64_t mixed(std::uint64_t seed, std::string_view words) {
-  Hash hash;
-  hash.add(seed);
-  for (const char letter : words) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(letter)));
-  return hash.value();
-}
-
 Uuid seededId(std::int64_t start_ms, std::uint64_t seed) {
   Random random(seed);
   const std::uint64_t first = random.bits();
@@ -52,7 +44,7 @@ SessionPlan makeSessionPlan(Store& store, const TraineeBench& bench, const Train
   plan.sites = bench.sites;
   plan.seed = requested.seed;
   plan.tick_s = bench.body ? 1.0 / bench.body->scene.ticks_per_s : kImaginedTickS;
-  plan.row.id = seededId(requested.start_ms, mixed(requested.seed, requested.trainee));
+  plan.row.id = seededId(requested.start_ms, mixedSeed(requested.seed, requested.trainee));
   plan.row.trainee_id = requested.trainee;
   plan.row.station_id = bench.station;
   plan.row.start_ms = requested.start_ms;
@@ -107,16 +99,8 @@ namespace {
 
 SessionOutcome runLumpSession(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
   if (!bench.body) throw Error("trainee: a lump session needs a body; leave out --fast");
-  const SessionPlan plan = makeSessionPlan(store, bench, requested);
-  LumpSessionPlan of_lumps;
-  of_lumps.protocol = bench.protocol;
-  of_lumps.kind = plan.kind;
-  of_lumps.sites = plan.sites;
-  of_lumps.seed = plan.seed;
-  of_lumps.bodies = std::make_shared<const LumpBodies>(bench.body, bench.protocol, bench.sites);
-  of_lumps.tick_s = plan.tick_s;
-  of_lumps.row = plan.row;
-  of_lumps.resumed = plan.resumed;
+  SessionPlan plan = makeSessionPlan(store, bench, requested);
+  plan.bodies = std::make_shared<const LumpBodies>(bench.body, bench.protocol, bench.sites);
   const std::unique_ptr<BodyTouch> touch = makeBodyTouch(store, bench, plan, requested);
   SessionOutcome sat;
   sat.resumed = plan.resumed.has_value();
@@ -127,7 +111,7 @@ SessionOutcome runLumpSession(Store& store, const TraineeBench& bench, const Tra
   };
   orders.answered = bench.answered;
   orders.stop = bench.stop;
-  LumpSession session(of_lumps, {.s = 0.0, .utc_ms = requested.start_ms, .tick = 0});
+  LumpSession session(plan, {.s = 0.0, .utc_ms = requested.start_ms, .tick = 0});
   LumpRun run(session, *touch, orders, requested.start_ms);
   run.run();
   touch->finish(run.now().utc_ms);
@@ -226,7 +210,7 @@ void runProgramme(Store& store, const TraineeBench& bench, const TraineeCourse& 
     session.lump_observer = course.lump_observer;
     session.kind = kind;
     session.trainee = course.trainee;
-    session.seed = mixed(course.seed, "session " + std::to_string(so_far.sessions));
+    session.seed = mixedSeed(course.seed, "session " + std::to_string(so_far.sessions));
     session.start_ms =
         so_far.newest_ms == 0 ? course.start_ms : std::max(course.start_ms, so_far.newest_ms + kBetweenMs);
     session.practised = so_far.practised;
@@ -259,7 +243,7 @@ TraineeRow simulatedTrainee(const std::string& class_id, const std::string& code
 }
 
 std::string simulatedCode(std::uint64_t seed, int number) {
-  return makeTraineeCode(Random(mixed(seed, "trainee " + std::to_string(number))).bits());
+  return makeTraineeCode(Random(mixedSeed(seed, "trainee " + std::to_string(number))).bits());
 }
 
 std::vector<SessionKind> vhbCourse() {
@@ -271,7 +255,7 @@ std::vector<SessionKind> vhbCourse() {
 
 ObserverSettings oneOfClass(const ObserverSettings& mean, double spread, std::uint64_t seed, int number) {
   constexpr double kCorrelation = 0.5;
-  Random random(mixed(seed, "talent " + std::to_string(number)));
+  Random random(mixedSeed(seed, "talent " + std::to_string(number)));
   const double before = random.normal();
   const double after = kCorrelation * before + std::sqrt(1.0 - kCorrelation * kCorrelation) * random.normal();
   // Keeps the mean over the class at its stated value.
@@ -279,7 +263,7 @@ ObserverSettings oneOfClass(const ObserverSettings& mean, double spread, std::ui
   ObserverSettings one = mean;
   one.weber = spread_out(mean.weber, before);
   one.weber_end = spread_out(mean.weber_end, after);
-  one.seed = mixed(mean.seed, std::to_string(number));
+  one.seed = mixedSeed(mean.seed, std::to_string(number));
   return one;
 }
 
