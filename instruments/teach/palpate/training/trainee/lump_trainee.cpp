@@ -18,37 +18,18 @@ constexpr double kNamedBesideSdMm = 3.0;
 
 }  // namespace
 
-LumpRun::LumpRun(LumpSession& session, BodyTouch& touch, const LumpOrders& orders, std::int64_t start_ms)
-    : session_(session), touch_(touch), orders_(orders), start_ms_(start_ms), random_(orders.trainee.seed) {
-  skill_ = lumps::drawSkill(orders_.trainee, random_);
+LumpRun::LumpRun(LumpSession& session, BodyTouch& touch, const TraineeOrders& orders, std::int64_t start_ms)
+    : SittingRun(session, touch, orders, start_ms, orders.lump_observer.seed), session_(session), touch_(touch) {
+  skill_ = lumps::drawSkill(orders_.lump_observer, random_);
   // The same person, another day: later draws depend on the session.
   random_ = Random(random_.bits() ^ session.plan().seed);
 }
 
-Moment LumpRun::now() const {
-  const double seconds = touch_.tickS() * static_cast<double>(touch_.tick());
-  return {.s = seconds, .utc_ms = start_ms_ + std::llround(1000.0 * seconds), .tick = touch_.tick()};
-}
-
-bool LumpRun::stops() const {
-  if (orders_.stop && orders_.stop()) return true;
-  return orders_.most_bodies > 0 && bodies_ >= orders_.most_bodies;
-}
-
-void LumpRun::run() {
-  storeNewRows();
-  while (session_.screen() != Screen::finished) {
-    if (stops()) {
-      session_.leave(now());
-    } else if (session_.screen() == Screen::trial) {
-      tryBody();
-    } else {
-      // A session is one block: reads the text and continues.
-      touch_.rest(kDecideS, [](const trace::Sample&) {});
-      session_.next(now());
-    }
-    storeNewRows();
-  }
+void LumpRun::walkScreen() {
+  if (session_.screen() == Screen::trial) return tryBody();
+  // A session is one block: reads the text and continues.
+  touch_.rest(kDecideS, [](const trace::Sample&) {});
+  session_.next(now());
 }
 
 void LumpRun::tryBody() {
@@ -69,7 +50,7 @@ void LumpRun::tryBody() {
   if (!session_.isExam()) answerPlace(last_named);
   session_.noMore(now());
   storeNewRows();
-  ++bodies_;
+  ++answers_;
   if (orders_.answered && session_.trials().size() > before) orders_.answered(session_.trials().back());
 }
 
@@ -93,12 +74,12 @@ std::vector<LumpRun::FeltLump> LumpRun::searchForLumps(const std::vector<lumps::
   for (const lumps::HiddenLump& lump : hidden) {
     if (isNamed(lump)) continue;
     FeltLump felt = feel(lump);
-    if (lumps::finds(felt.clarity, skill_, orders_.trainee, random_)) found.push_back(std::move(felt));
+    if (lumps::finds(felt.clarity, skill_, orders_.lump_observer, random_)) found.push_back(std::move(felt));
   }
   const std::vector<Vec2>& places = session_.plan().bodies->places();
   const Vec2 anywhere = places[random_.below(places.size())];
   if (hidden.empty()) press(anywhere, nullptr);
-  if (random_.uniform() < orders_.trainee.false_alarms && (session_.isExam() || found.empty())) {
+  if (random_.uniform() < orders_.lump_observer.false_alarms && (session_.isExam() || found.empty())) {
     found.push_back({.truth = {}, .clarity = 0.0, .named_mm = anywhere});
   }
   return found;
@@ -109,17 +90,17 @@ LumpRun::FeltLump LumpRun::feel(const lumps::HiddenLump& lump) {
   contact::FingerOutput firmest;
   press(stroke, &firmest);
   const lumps::LumpCue cue = lumps::computeCue(firmest, touch_.world().surface.lumps.get(),
-                                               session_.plan().bodies->ground(), orders_.trainee.taxels);
-  const Vec2 seems = orders_.trainee.field ? lump.place_mm : stroke;
+                                               session_.plan().bodies->ground(), orders_.lump_observer.taxels);
+  const Vec2 seems = orders_.lump_observer.field ? lump.place_mm : stroke;
   return {.truth = lump,
-          .clarity = lumps::computeClarity(cue, orders_.trainee),
+          .clarity = lumps::computeClarity(cue, orders_.lump_observer),
           .named_mm = seems + kNamedBesideSdMm * random_.normal2()};
 }
 
 void LumpRun::press(const Vec2& place_mm, contact::FingerOutput* firmest) {
   Site place;
   place.place_mm = place_mm;
-  const MeantPress meant{.force_n = orders_.trainee.press_n, .hold_s = orders_.trainee.press_s};
+  const MeantPress meant{.force_n = orders_.lump_observer.press_n, .hold_s = orders_.lump_observer.press_s};
   double most_n = 0.0;
   touch_.press(place, meant, [&](const trace::Sample& sample) {
     session_.feel(sample, now());
@@ -145,14 +126,9 @@ void LumpRun::describe(const FeltLump& lump) {
 }
 
 int LumpRun::known(int truth, int choices, double clarity) {
-  const bool knows = random_.uniform() < lumps::detectionProbability(clarity, orders_.trainee);
+  const bool knows = random_.uniform() < lumps::detectionProbability(clarity, orders_.lump_observer);
   const auto any = static_cast<int>(random_.below(static_cast<std::uint64_t>(choices)));
   return knows ? truth : any;
-}
-
-void LumpRun::storeNewRows() {
-  std::vector<Row> kept = session_.drainRows();
-  if (orders_.save && !kept.empty()) orders_.save(std::move(kept));
 }
 
 }  // namespace palpate::training

@@ -9,33 +9,17 @@
 // plain is found, and guessed else.
 #pragma once
 
-#include <functional>
-#include <memory>
 #include <vector>
 
 #include "palpate/training/session/lump_session.h"
 #include "palpate/training/trainee/body_touch.h"
-#include "palpate/training/trainee/observer.h"
+#include "palpate/training/trainee/trainee_course.h"
 
 namespace palpate::training {
 
-struct LumpOrders {
-  LumpTraineeSettings trainee;
-  int most_bodies = 0;  ///< stops the block after this many; 0: continues to its end
-  /// Rows in their order, after every answer.
-  std::function<void(std::vector<Row>)> save = {};
-  std::function<void(const TrialRow&)> answered = {};  ///< once a body's rows are kept; may be empty
-  std::function<bool()> stop = {};                     ///< true puts the block down
-};
-
-class LumpRun {
+class LumpRun final : public SittingRun {
  public:
-  /// Both must outlive it. `start_ms`: of the touch's tick 0.
-  LumpRun(LumpSession& session, BodyTouch& touch, const LumpOrders& orders, std::int64_t start_ms);
-
-  /// To the end of the block, or until it is put down.
-  void run();
-  Moment now() const;
+  LumpRun(LumpSession& session, BodyTouch& touch, const TraineeOrders& orders, std::int64_t start_ms);
 
  private:
   /// A lump as it was felt.
@@ -44,6 +28,7 @@ class LumpRun {
     double clarity = 0.0;
     Vec2 named_mm = Vec2::Zero();  ///< where it seems to be
   };
+  void walkScreen() override;
   void tryBody();
   FeltLump feel(const lumps::HiddenLump& lump);
   void press(const Vec2& place_mm, contact::FingerOutput* firmest);
@@ -53,16 +38,10 @@ class LumpRun {
   void answerPlace(const FeltLump& lump);
   void describe(const FeltLump& lump);
   int known(int truth, int choices, double clarity);
-  bool stops() const;
-  void storeNewRows();
 
   LumpSession& session_;
   BodyTouch& touch_;
-  LumpOrders orders_;
-  std::int64_t start_ms_;
-  Random random_;
   double skill_ = 0.0;  ///< this person's, in ln C
-  int bodies_ = 0;
 };
 
 }  // namespace palpate::training

@@ -95,48 +95,18 @@ SiteSet sitesOn(const scene::World& body, const Protocol& protocol) {
   return protocol.sites.empty() ? twelveSites(landmarks) : sitesNamed(landmarks, protocol.sites);
 }
 
-namespace {
-
-SessionOutcome runLumpSession(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
-  if (!bench.body) throw Error("trainee: a lump session needs a body; leave out --fast");
-  SessionPlan plan = makeSessionPlan(store, bench, requested);
-  plan.bodies = std::make_shared<const LumpBodies>(bench.body, bench.protocol, bench.sites);
-  const std::unique_ptr<BodyTouch> touch = makeBodyTouch(store, bench, plan, requested);
-  SessionOutcome sat;
-  sat.resumed = plan.resumed.has_value();
-  LumpOrders orders{.trainee = requested.lump_observer, .most_bodies = requested.most_trials};
-  orders.save = [&](std::vector<Row> rows) {
-    noteRows(rows, sat);
-    store.save(rows);
-  };
-  orders.answered = bench.answered;
-  orders.stop = bench.stop;
-  LumpSession session(plan, {.s = 0.0, .utc_ms = requested.start_ms, .tick = 0});
-  LumpRun run(session, *touch, orders, requested.start_ms);
-  run.run();
-  touch->finish(run.now().utc_ms);
-  if (!sat.row.file.empty()) {
-    sat.row.file_sha256 = sha256OfFile(store.folder() / sat.row.file);
-    const std::vector<Row> last = {sat.row};
-    store.save(last);
-  }
-  sat.lumps = session.counts();
-  sat.simulated_s = run.now().s;
-  return sat;
-}
-
-}  // namespace
-
 SessionOutcome runSession(Store& store, const TraineeBench& bench, const TraineeSession& requested) {
-  if (hidesLumps(requested.kind)) return runLumpSession(store, bench, requested);
-  const SessionPlan plan = makeSessionPlan(store, bench, requested);
-  const std::unique_ptr<Touching> touching = makeTouching(store, bench, plan, requested);
+  const bool lumps = hidesLumps(requested.kind);
+  if (lumps && !bench.body) throw Error("trainee: a lump session needs a body; leave out --fast");
+  SessionPlan plan = makeSessionPlan(store, bench, requested);
+  if (lumps) plan.bodies = std::make_shared<const LumpBodies>(bench.body, bench.protocol, bench.sites);
   SessionOutcome sat;
   sat.resumed = plan.resumed.has_value();
   if (plan.resumed) sat.block = *plan.resumed;
   std::vector<Row> together;  // without a body a session takes milliseconds, and a disk that long for each trial
   TraineeOrders orders;
   orders.observer = requested.observer;
+  orders.lump_observer = requested.lump_observer;
   orders.practised = requested.practised;
   orders.most_trials = requested.most_trials;
   orders.answered = bench.answered;
@@ -146,17 +116,28 @@ SessionOutcome runSession(Store& store, const TraineeBench& bench, const Trainee
     if (bench.body) return store.save(rows);
     for (Row& row : rows) together.push_back(std::move(row));
   };
-  Session session(plan, {.s = 0.0, .utc_ms = requested.start_ms, .tick = 0});
-  TraineeRun run(session, *touching, orders, requested.start_ms);
-  run.run();
-  touching->finish(run.now().utc_ms);
+  const auto sit = [&](SittingRun&& run, Touching& touching) {
+    run.run();
+    touching.finish(run.now().utc_ms);
+    sat.simulated_s = run.now().s;
+  };
+  const Moment begun{.s = 0.0, .utc_ms = requested.start_ms, .tick = 0};
+  if (lumps) {
+    const std::unique_ptr<BodyTouch> touch = makeBodyTouch(store, bench, plan, requested);
+    LumpSession session(plan, begun);
+    sit(LumpRun(session, *touch, orders, requested.start_ms), *touch);
+    sat.lumps = session.counts();
+  } else {
+    const std::unique_ptr<Touching> touching = makeTouching(store, bench, plan, requested);
+    Session session(plan, begun);
+    sit(TraineeRun(session, *touching, orders, requested.start_ms), *touching);
+    sat.result = session.result();
+  }
   if (!sat.row.file.empty()) {
     sat.row.file_sha256 = sha256OfFile(store.folder() / sat.row.file);
     together.emplace_back(sat.row);
   }
   if (!together.empty()) store.save(together);
-  sat.result = session.result();
-  sat.simulated_s = run.now().s;
   return sat;
 }
 

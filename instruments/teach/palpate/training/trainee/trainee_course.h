@@ -104,22 +104,48 @@ ObserverSettings oneOfClass(const ObserverSettings& mean, double spread, std::ui
 
 struct TraineeOrders {
   ObserverSettings observer;
-  int practised = 0;    ///< blocks that it has learned from
-  int most_trials = 0;  ///< stops the block after this many; 0: continues to its end
+  LumpTraineeSettings lump_observer = {};  ///< for sessions with lumps (lump_trainee.h)
+  int practised = 0;                       ///< blocks that it has learned from
+  int most_trials = 0;                     ///< stops the block after this many; 0: continues to its end
   /// Rows in their order, after each answer and screen: a trial counts when this returns.
   std::function<void(std::vector<Row>)> save = {};
   std::function<void(const TrialRow&)> answered = {};  ///< once its rows are kept; may be empty
   std::function<bool()> stop = {};                     ///< asked before each press: true puts the block down
 };
 
-class TraineeRun {
+/// Of either kind of session: from screen to screen.
+class SittingRun {
  public:
-  /// Both must outlive it. `start_ms`: of the touching's tick 0.
-  TraineeRun(Session& session, Touching& touching, const TraineeOrders& orders, std::int64_t start_ms);
+  virtual ~SittingRun() = default;
+  SittingRun(const SittingRun&) = delete;
+  SittingRun& operator=(const SittingRun&) = delete;
 
   /// To the end of the block, or until it is put down.
   void run();
   Moment now() const;
+
+ protected:
+  /// Both must outlive it. `start_ms`: of the touching's tick 0.
+  SittingRun(Sitting& sitting, Touching& touching, const TraineeOrders& orders, std::int64_t start_ms,
+             std::uint64_t seed)
+      : touching_(touching), orders_(orders), random_(seed), sitting_(sitting), start_ms_(start_ms) {}
+  virtual void walkScreen() = 0;
+  bool stops() const;
+  void storeNewRows();
+
+  Touching& touching_;
+  TraineeOrders orders_;
+  Random random_;
+  int answers_ = 0;  ///< trials or bodies
+
+ private:
+  Sitting& sitting_;
+  std::int64_t start_ms_;
+};
+
+class TraineeRun final : public SittingRun {
+ public:
+  TraineeRun(Session& session, Touching& touching, const TraineeOrders& orders, std::int64_t start_ms);
 
   /// The sites felt in the current or last trial, and their stiffness over the middle one's.
   struct FeltSites {
@@ -130,7 +156,7 @@ class TraineeRun {
   const FeltSites& felt() const { return felt_; }
 
  private:
-  void walkScreen();
+  void walkScreen() override;
   void checkDevice();
   void compareTwo();
   void tryTrial();
@@ -138,19 +164,12 @@ class TraineeRun {
   void answer(int site);
   bool pressSite(int number);
   void readFeedback();
-  void storeNewRows();
-  bool stops() const;
 
   Session& session_;
-  Touching& touching_;
-  TraineeOrders orders_;
-  std::int64_t start_ms_;
-  Random random_;
   Touching::EachTick each_tick_;
   std::optional<HiddenNow> held_;  ///< in the body now
   Vec2 place_mm_ = Vec2::Zero();   ///< finger's place on the map plane
   FeltSites felt_;
-  int answers_ = 0;
 };
 
 }  // namespace palpate::training

@@ -50,11 +50,8 @@ std::vector<double> TraineeRun::FeltSites::ratios() const {
 }
 
 TraineeRun::TraineeRun(Session& session, Touching& touching, const TraineeOrders& orders, std::int64_t start_ms)
-    : session_(session),
-      touching_(touching),
-      orders_(orders),
-      start_ms_(start_ms),
-      random_(traineeSeed(session, orders.observer)),
+    : SittingRun(session, touching, orders, start_ms, traineeSeed(session, orders.observer)),
+      session_(session),
       place_mm_(session.plan().sites.sites.front().place_mm) {
   orders_.observer.meaning = settingsOf(session.plan().protocol, session.plan().kind).block.meaning;
   each_tick_ = [this](const trace::Sample& sample) {
@@ -64,25 +61,21 @@ TraineeRun::TraineeRun(Session& session, Touching& touching, const TraineeOrders
   };
 }
 
-Moment TraineeRun::now() const {
+Moment SittingRun::now() const {
   const double seconds = static_cast<double>(touching_.tick()) * touching_.tickS();
   return {.s = seconds, .utc_ms = start_ms_ + std::llround(1000.0 * seconds), .tick = touching_.tick()};
 }
 
-bool TraineeRun::stops() const {
+bool SittingRun::stops() const {
   return (orders_.most_trials > 0 && answers_ >= orders_.most_trials) || (orders_.stop && orders_.stop());
 }
 
-void TraineeRun::run() {
+void SittingRun::run() {
   storeNewRows();
-  while (session_.screen() != Screen::finished) {
+  while (sitting_.screen() != Screen::finished) {
     if (stops()) {
-      session_.leave(now());
+      sitting_.leave(now());
     } else {
-      if (session_.hidden() != held_) {
-        held_ = session_.hidden();
-        touching_.change(held_);
-      }
       walkScreen();
     }
     storeNewRows();
@@ -90,6 +83,10 @@ void TraineeRun::run() {
 }
 
 void TraineeRun::walkScreen() {
+  if (session_.hidden() != held_) {
+    held_ = session_.hidden();
+    touching_.change(held_);
+  }
   switch (session_.screen()) {
     case Screen::device_check:
       return checkDevice();
@@ -195,8 +192,8 @@ void TraineeRun::readFeedback() {
   session_.next(now());
 }
 
-void TraineeRun::storeNewRows() {
-  std::vector<Row> rows = session_.drainRows();
+void SittingRun::storeNewRows() {
+  std::vector<Row> rows = sitting_.drainRows();
   if (orders_.save && !rows.empty()) orders_.save(std::move(rows));
 }
 
