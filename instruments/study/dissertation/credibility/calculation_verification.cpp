@@ -8,7 +8,7 @@
 #include <string>
 
 #include "dissertation/credibility/checked_stack.h"
-#include "lab/runs/servo_costs.h"
+#include "lab/runs/safety_run.h"
 #include "lab/workloads/heldout_meshes.h"
 #include "palpate/base/random.h"
 #include "palpate/device/finger_path.h"

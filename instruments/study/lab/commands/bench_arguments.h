@@ -1,4 +1,5 @@
-// Common arguments of benchmark commands: a mesh or a trajectory, and the kind of partition.
+// Common arguments of benchmark commands: a mesh or a trajectory by file or by name, for any surface, also without a
+// file at hand; and the kind of partition.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +15,6 @@
 #include "palpate/scene/words.h"
 
 namespace palpate::app {
-
-// A mesh or a trajectory by file or by name: the argument of a command that works on any surface, also without a file
-// at hand.
 
 /// For help texts: what `meshFrom` takes.
 inline constexpr const char* kMeshNamesHelp =
@@ -46,8 +44,6 @@ class WrittenMesh {
 
 /// A CSV file if one of that name exists or the name ends in .csv; else a benchmark's trajectory. Throws Error.
 device::Trajectory trajectoryFrom(const std::string& name);
-
-// The options that choose among the kinds of partition.
 
 /// Adds --tree, --assign, --threshold and --leaf-rule. `settings` must outlive the command.
 void addPartitionSettings(Command& command, hdb::BuildSettings& settings);

@@ -1,31 +1,22 @@
 // `palpate study bench contact`: one finger along one trajectory over one mesh.
-#include <fmt/format.h>
-
-#include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/kit/choice_option.h"
-#include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/options.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
 #include "lab/commands/commands.h"
 #include "lab/commands/peers_report.h"
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
-#include "lab/runs/contact_run.h"
+#include "lab/runs/tool_run.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json.h"
 
 namespace palpate::app {
 
 namespace {
-
-// ---- printed results of a run
 
 Json toJson(const bench::ContactFigures& f) {
   Json json;
@@ -41,10 +32,9 @@ Json toJson(const bench::ContactFigures& f) {
                       {"kinetic_max", f.friction.kinetic_max}};
   json["peak_force_n"] = f.peak_force_n;
   json["max_force_step_n"] = f.max_force_step_n;
-  json["allocations"] = orNull(f.counts.allocations);
-  json["locks"] = orNull(f.counts.locks);
-  json["page_faults"] = orNull(f.counts.page_faults);
-  json["hash"] = fmt::format("{:016x}", f.hash);
+  json["max_force_step_tick"] = f.max_force_step_tick;
+  addCounts(json, f.counts);
+  json["hash"] = lab::hashText(f.hash);
   json["contact_ticks"] = f.contact_ticks;
   json["stick_ticks"] = f.friction.stick_ticks;
   json["slip_ticks"] = f.friction.slip_ticks;
@@ -60,37 +50,6 @@ Json toJson(const bench::ContactFigures& f) {
   return json;
 }
 
-std::string textOf(const bench::ContactFigures& f) {
-  std::string text = fmt::format("triangles                {}\n", f.triangles);
-  text += fmt::format("ticks                    {} ({} in contact)\n", f.ticks, f.contact_ticks);
-  text += fmt::format("tick time                {}\n", percentilesText(f.tick_us));
-  text += fmt::format("lag |anchor - tip|       p99 {:.3f}  max {:.3f} mm\n", f.lag_mm.p99, f.lag_mm.max);
-  text += fmt::format("fall-throughs            {} ticks in {} events\n", f.falls.ticks, f.falls.events);
-  text += fmt::format("first contacts           {}, worst delay {} ticks\n", f.falls.first_contacts,
-                      f.falls.first_contact_delay_ticks);
-  text += fmt::format("friction                 kinetic {:.6f} ({} ticks), break-away peak {:.6f}\n",
-                      f.friction.kinetic, f.friction.slip_ticks, f.friction.static_peak);
-  text += fmt::format("force                    peak {:.3f} N, largest step {:.3f} N (tick {})\n", f.peak_force_n,
-                      f.max_force_step_n, f.max_force_step_tick);
-  text += fmt::format("heap allocations         {}, locks {}, page faults {}\n", countText(f.counts.allocations),
-                      countText(f.counts.locks), countText(f.counts.page_faults));
-  return text + fmt::format("hash                     {:016x}\n", f.hash);
-}
-
-Json toJson(const bench::HdbFigures& f) {
-  Json json = toJson(f.contact);
-  json["hdb"] = {{"edge_mm", f.edge_mm}, {"leaves", f.leaves}, {"most_listed", f.most_listed}, {"queries", f.queries}};
-  return json;
-}
-
-std::string textOf(const bench::HdbFigures& f) {
-  return textOf(f.contact) +
-         fmt::format("detecting box            {:.1f} mm; {} leaves, at most {} triangles listed, {} queries\n",
-                     f.edge_mm, f.leaves, f.most_listed, f.queries);
-}
-
-// ---- the command
-
 struct BenchContactArguments {
   std::string mesh, trajectory;
   double scale = 1.0;
@@ -102,56 +61,61 @@ struct BenchContactArguments {
   bench::HdbRunSettings hdb;
   PeersOption peers;
   std::string tool;  ///< empty: one finger
-  bool json = false;
 };
 
-template <class Figures>
-void print(const BenchContactArguments& arguments, const Figures& figures) {
-  printReport(toJson(figures), textOf(figures), arguments.json);
-}
-
-void runHdb(const BenchContactArguments& arguments) {
+Json measureByHdb(const BenchContactArguments& arguments) {
   if (arguments.scale != 1.0 || arguments.finger.radius_mm != 0.0 || arguments.finger.force_shading) {
     throw Error("--source hdb touches with a point, without scale and shading");
   }
   if (arguments.peers.wanted) throw Error("--peers are compared with --source surface");
   bench::ContactWorld world = bench::buildContactWorld(meshFrom(arguments.mesh), 1.0, arguments.stiffness_n_per_mm);
-  print(arguments, bench::measureHdb(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.hdb,
-                                     arguments.window));
+  const bench::HdbFigures f =
+      bench::measureHdb(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.hdb, arguments.window);
+  Json json = toJson(f.contact);
+  json["hdb"] = {{"edge_mm", f.edge_mm}, {"leaves", f.leaves}, {"most_listed", f.most_listed}, {"queries", f.queries}};
+  return json;
 }
 
-void runTool(const BenchContactArguments& arguments) {
+Json measureByTool(const BenchContactArguments& arguments) {
   if (arguments.scale != 1.0 || arguments.by_hdb || arguments.finger.force_shading) {
     throw Error("--tool touches the whole surface, without scale and shading");
   }
-  runToolBench({arguments.mesh, arguments.trajectory, arguments.tool, arguments.stiffness_n_per_mm, arguments.finger,
-                arguments.window, arguments.peers, arguments.json});
+  const bench::ContactWorld world =
+      bench::buildContactWorld(meshFrom(arguments.mesh), 1.0, arguments.stiffness_n_per_mm);
+  const device::Trajectory trajectory = trajectoryFrom(arguments.trajectory);
+  const contact::ToolShape shape = bench::toolNamed(arguments.tool);
+  Json json = {{"tool", arguments.tool}};
+  json.update(bench::measureTool(world, trajectory, shape, arguments.finger, arguments.window));
+  if (!arguments.peers.wanted) return json;
+  const bench::ToolQueries queries{shape,
+                                   bench::posesOnSkin(world, trajectory, shape, arguments.finger, arguments.window)};
+  addPeers(json, bench::comparePeers(arguments.peers.tool_peers, world, queries, arguments.peers.seconds),
+           PeerTask::tool, json["any_tick_us"]["p50"].get<double>());
+  return json;
 }
 
-void runWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& world) {
+Json measureWithPeers(const BenchContactArguments& arguments, bench::ContactWorld& world) {
   const bench::ContactComparison comparison =
       bench::compareContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window,
                             arguments.peers.peers, arguments.peers.seconds);
-  const double p50 = comparison.ours.tick_us.p50;
   Json json = toJson(comparison.ours);
   json["peer_queries"] = {{"segments", comparison.queries}, {"nearest", comparison.nearest_asked}};
-  addPeers(json, comparison.peers, PeerTask::contact, p50);
-  printReport(std::move(json), textOf(comparison.ours) + peersText(comparison.peers, PeerTask::contact, p50),
-              arguments.json);
+  addPeers(json, comparison.peers, PeerTask::contact, comparison.ours.tick_us.p50);
+  return json;
 }
 
-void runContact(const BenchContactArguments& arguments) {
+Json measureFinger(const BenchContactArguments& arguments, ProgressLine&) {
   if (arguments.rounds > 1 && (arguments.peers.wanted || !arguments.tool.empty() || arguments.by_hdb)) {
     throw Error("--rounds times one finger on the whole surface, without --peers");
   }
   if (arguments.peers.wanted) handOverToPeersProgram(arguments.peers);
-  if (!arguments.tool.empty()) return runTool(arguments);
-  if (arguments.by_hdb) return runHdb(arguments);
+  if (!arguments.tool.empty()) return measureByTool(arguments);
+  if (arguments.by_hdb) return measureByHdb(arguments);
   bench::ContactWorld world =
       bench::buildContactWorld(meshFrom(arguments.mesh), arguments.scale, arguments.stiffness_n_per_mm);
-  if (arguments.peers.wanted) return runWithPeers(arguments, world);
-  print(arguments, bench::measureContact(world, trajectoryFrom(arguments.trajectory), arguments.finger,
-                                         arguments.window, arguments.rounds));
+  if (arguments.peers.wanted) return measureWithPeers(arguments, world);
+  return toJson(bench::measureContact(world, trajectoryFrom(arguments.trajectory), arguments.finger, arguments.window,
+                                      arguments.rounds));
 }
 
 void addFingerOptions(Command& command, BenchContactArguments& arguments) {
@@ -186,13 +150,7 @@ void addHdbOptions(Command& command, BenchContactArguments& arguments) {
              "HDB: number of ticks after which the box follows the proxy");
 }
 
-}  // namespace
-
-void addBenchContactCommand(Command& parent, std::vector<bench::Peer> peers, std::vector<bench::ToolPeer> tool_peers) {
-  const auto [command, arguments] =
-      addCommand(parent, "contact", "Run one finger along a trajectory and report what it felt", runContact);
-  arguments.peers.peers = std::move(peers);
-  arguments.peers.tool_peers = std::move(tool_peers);
+void addContactOptions(Command& command, BenchContactArguments& arguments) {
   command.add_option("--mesh", arguments.mesh, kMeshNamesHelp)->required();
   command.add_option("--trajectory", arguments.trajectory, "CSV file t_s,x_mm,y_mm,z_mm, or a benchmark's name")
       ->required();
@@ -201,7 +159,15 @@ void addBenchContactCommand(Command& parent, std::vector<bench::Peer> peers, std
   addPeersOption(command, arguments.peers);
   restrictTo(bench::toolNames(),
              command.add_option("--tool", arguments.tool, "Tool of several pads to touch with instead of one finger"));
-  command.add_flag("--json", arguments.json, "Print one JSON object");
+}
+
+}  // namespace
+
+void addBenchContactCommand(Command& parent, std::vector<bench::Peer> peers, std::vector<bench::ToolPeer> tool_peers) {
+  BenchContactArguments& arguments = addBench(
+      parent, "contact", "Run one finger along a trajectory and report what it felt", addContactOptions, measureFinger);
+  arguments.peers.peers = std::move(peers);
+  arguments.peers.tool_peers = std::move(tool_peers);
 }
 
 void addBenchContactCommand(Command& parent) {

@@ -3,8 +3,6 @@
 //
 // scene -> scene::rebuilt (shares the body, copies the stiffness) -> ServoThread::change -> the first sample that names
 // the new world
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -13,13 +11,10 @@
 #include <vector>
 
 #include "cli/kit/number_option.h"
-#include "cli/kit/options.h"
-#include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
 #include "lab/commands/commands.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/engine/fingers.h"
 #include "palpate/engine/servo_thread.h"
@@ -38,17 +33,6 @@ constexpr double kPatienceS = 5.0;
 struct EditArguments {
   std::string mesh = "back_1000000";
   double edits = 50.0;
-  bool json = false;
-};
-
-struct EditFigures {
-  std::size_t triangles = 0;
-  lab::Percentiles rebuild_ms;  ///< until there is another world
-  lab::Percentiles felt_ms;     ///< until a tick has felt it, the rebuilding included
-  std::uint64_t ticks = 0;
-  std::uint64_t missed_ticks = 0;
-  double force_n = 0.0;         ///< before the first edit
-  double largest_step_n = 0.0;  ///< between two ticks, from the first edit on
 };
 
 /// A finger that stays pressed along z.
@@ -148,61 +132,46 @@ class EditedServo {
   double last_n_ = 0.0, force_n_ = 0.0, largest_step_n_ = 0.0;
 };
 
-EditFigures measureEdits(const EditArguments& arguments, const Progress& progress) {
+Json measureEdits(const EditArguments& arguments, ProgressLine& progress) {
   const WrittenMesh mesh(arguments.mesh);
   scene::Scene scene;
   scene.body.kind = scene::BodyKind::mesh;
   scene.body.file = mesh.file();
-  const auto world = scene::build(scene, progress);
+  const Progress shown = progress.callback();
+  const auto world = scene::build(scene, shown);
   const PressedPlace place = pressedPlace(*world);
   EditedServo servo(world, place);
   std::vector<double> rebuild_ms, felt_ms;
   const auto edits = static_cast<int>(arguments.edits);
   for (int edit = 1; edit <= edits; ++edit) {
-    report(progress, "editing", static_cast<double>(edit) / edits);
+    report(shown, "editing", static_cast<double>(edit) / edits);
     servo.edit(edited(scene, place.skin, edit), rebuild_ms, felt_ms);
     std::this_thread::sleep_for(std::chrono::milliseconds(16));  // a picture
   }
   const servo::LoopReport loop = servo.stop();
-  return {.triangles = world->body->skin.triangles.size(),
-          .rebuild_ms = lab::computePercentiles(rebuild_ms),
-          .felt_ms = lab::computePercentiles(felt_ms),
-          .ticks = loop.ticks,
-          .missed_ticks = loop.overruns,
-          .force_n = servo.forceN(),
-          .largest_step_n = servo.largestStepN()};
-}
-
-void runEditBench(const EditArguments& arguments) {
-  ProgressLine progress;
-  const EditFigures f = measureEdits(arguments, progress.callback());
-  progress.clear();
   Json json;
   json["mesh"] = arguments.mesh;
-  json["triangles"] = f.triangles;
-  json["edits"] = static_cast<int>(arguments.edits);
-  json["rebuild_ms"] = percentilesJson(f.rebuild_ms);
-  json["felt_ms"] = percentilesJson(f.felt_ms);
-  json["ticks"] = f.ticks;
-  json["missed_ticks"] = f.missed_ticks;
-  json["force_n"] = f.force_n;
-  json["largest_step_n"] = f.largest_step_n;
-  std::string text = fmt::format("triangles     {}\n", f.triangles);
-  text += fmt::format("rebuilt       {}\n", percentilesText(f.rebuild_ms, "ms"));
-  text += fmt::format("felt          {}\n", percentilesText(f.felt_ms, "ms"));
-  text += fmt::format("ticks         {}, {} missed\n", f.ticks, f.missed_ticks);
-  text += fmt::format("force         {:.2f} N, largest step {:.3f} N\n", f.force_n, f.largest_step_n);
-  printReport(std::move(json), text, arguments.json);
+  json["triangles"] = world->body->skin.triangles.size();
+  json["edits"] = edits;
+  json["rebuild_ms"] = percentilesJson(lab::computePercentiles(rebuild_ms));  // until there is another world
+  json["felt_ms"] = percentilesJson(lab::computePercentiles(felt_ms));        // until a tick has felt it
+  json["ticks"] = loop.ticks;
+  json["missed_ticks"] = loop.overruns;
+  json["force_n"] = servo.forceN();               // before the first edit
+  json["largest_step_n"] = servo.largestStepN();  // between two ticks, from the first edit on
+  return json;
+}
+
+void addEditOptions(Command& command, EditArguments& a) {
+  command.add_option("FILE", a.mesh, kMeshNamesHelp)->capture_default_str();
+  addSetting(command, "--edits", a.edits, between(1.0, 10000.0), "Number of edits, 2 % each");
 }
 
 }  // namespace
 
 void addBenchEditCommand(Command& parent) {
-  const auto [command, arguments] =
-      addCommand(parent, "edit", "Time how soon a changed dysfunction is felt under a pressing finger", runEditBench);
-  command.add_option("FILE", arguments.mesh, kMeshNamesHelp)->capture_default_str();
-  addSetting(command, "--edits", arguments.edits, between(1.0, 10000.0), "Number of edits, 2 % each");
-  command.add_flag("--json", arguments.json, "Print one JSON object");
+  addBench(parent, "edit", "Time how soon a changed dysfunction is felt under a pressing finger", addEditOptions,
+           measureEdits);
 }
 
 }  // namespace palpate::app

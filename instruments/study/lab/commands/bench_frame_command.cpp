@@ -1,6 +1,4 @@
 // `palpate study bench frame`: how long a picture takes, from the contact to the last pixel.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -15,7 +13,6 @@
 #include "lab/commands/bench_report.h"
 #include "lab/commands/commands.h"
 #include "lab/runs/deform_run.h"
-#include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/words.h"
 #include "palpate/contact/finger.h"
@@ -29,8 +26,7 @@
 namespace palpate::app {
 namespace {
 
-// Times whole pictures of a back under a finger that wanders: the numbers of `palpate study bench frame`.
-
+/// Whole pictures of a back under a finger that wanders.
 struct FrameRun {
   std::size_t triangles = 41582;  ///< on the skin; the bones come on top
   bool trunk = false;             ///< the closed built-in body, on which opaque skin hides the bones; else the torso
@@ -43,21 +39,6 @@ struct FrameRun {
   bool close = false;    ///< the camera is near the finger, so that most of the skin is outside the picture
   bool cull = true;      ///< false: skin outside the picture is drawn too
   double seconds = 2.0;  ///< time for repetitions
-};
-
-/// Milliseconds a picture: mean over the finger's places, of each place's shortest time.
-struct FrameFigures {
-  std::size_t triangles = 0;       ///< on the skin
-  std::size_t bone_triangles = 0;  ///< beneath it
-  std::string renderer;            ///< OpenGL's own name
-  double deform_ms = 0.0;
-  double upload_ms = 0.0;
-  double draw_ms = 0.0;  ///< until the last pixel is there, labels and stereo included
-  double frameMs() const { return deform_ms + upload_ms + draw_ms; }
-  double fps = 0.0;                ///< 1000 / frame_ms: each step waits for the one before
-  double covered = 0.0;            ///< share of the window that the skin takes
-  double uploaded_vertices = 0.0;  ///< a picture
-  double first_frame_ms = 0.0;     ///< from nothing but the world to the first picture in memory
 };
 
 using bench::kPlaces;
@@ -170,8 +151,19 @@ class Bench {
   std::size_t frames_ = 0;
 };
 
-/// Throws Error where nothing can be drawn, and for counts the body cannot have.
-FrameFigures measureFrames(const FrameRun& run) {
+struct FrameArguments {
+  FrameRun run;
+  std::string stereo{wordFor(view::StereoMode::mono)};
+  bool no_labels = false;
+  bool peers = false;
+};
+
+/// Milliseconds a picture: mean over the finger's places, of each place's shortest time. Throws Error where nothing can
+/// be drawn, and for counts the body cannot have.
+Json measureFrames(const FrameArguments& arguments, ProgressLine&) {
+  FrameRun run = arguments.run;
+  run.stereo = view::stereoModeNamed(arguments.stereo);
+  run.labels = !arguments.no_labels;
   const auto world = buildBackWorld(run);
   const std::vector<view::FingerMark> marks = wanderingFinger(*world);
   const auto start = Clock::now();
@@ -179,63 +171,32 @@ FrameFigures measureFrames(const FrameRun& run) {
   Bench bench(run, world);
   bench.frame(marks.front(), 0);
   (void)bench.target().read();
-  FrameFigures figures;
-  figures.first_frame_ms = millisecondsSince(start);
+  const double first_frame_ms = millisecondsSince(start);  // from nothing but the world to the first picture in memory
   const auto end = Clock::now() + std::chrono::duration<double>(run.seconds);
   do {
     for (std::size_t place = 0; place < marks.size(); ++place) bench.frame(marks[place], place);
   } while (Clock::now() < end);
-  figures.triangles = world->body->skin.triangles.size();
-  for (const body::Bone& bone : world->body->anatomy.bones) figures.bone_triangles += bone.mesh.triangles.size();
-  figures.renderer = view::rendererString();
-  figures.deform_ms = bench.mean(0);
-  figures.upload_ms = bench.mean(1);
-  figures.draw_ms = bench.mean(2);
-  figures.fps = 1000.0 / figures.frameMs();
-  figures.uploaded_vertices = bench.uploadedVertices();
-  figures.covered = bench.covered(marks.back());
-  return figures;
-}
-
-Json toJson(const FrameFigures& f) {
+  std::size_t bone_triangles = 0;
+  for (const body::Bone& bone : world->body->anatomy.bones) bone_triangles += bone.mesh.triangles.size();
+  const double frame_ms = bench.mean(0) + bench.mean(1) + bench.mean(2);
   Json json;
-  json["triangles"] = f.triangles;
-  json["bone_triangles"] = f.bone_triangles;
-  json["renderer"] = f.renderer;
-  json["deform_ms"] = f.deform_ms;
-  json["upload_ms"] = f.upload_ms;
-  json["draw_ms"] = f.draw_ms;
-  json["frame_ms"] = f.frameMs();
-  json["fps"] = f.fps;
-  json["uploaded_vertices"] = f.uploaded_vertices;
-  json["covered"] = f.covered;
-  json["first_frame_ms"] = f.first_frame_ms;
+  json["triangles"] = world->body->skin.triangles.size();  // of the skin
+  json["bone_triangles"] = bone_triangles;
+  json["renderer"] = view::rendererString();
+  json["deform_ms"] = bench.mean(0);
+  json["upload_ms"] = bench.mean(1);
+  json["draw_ms"] = bench.mean(2);  // until the last pixel is there, labels and stereo included
+  json["frame_ms"] = frame_ms;
+  json["fps"] = 1000.0 / frame_ms;  // each step waits for the one before
+  json["uploaded_vertices"] = bench.uploadedVertices();
+  json["covered"] = bench.covered(marks.back());  // share of the window that the skin takes
+  json["first_frame_ms"] = first_frame_ms;
+  if (arguments.peers) json["peers"] = Json::object();
   return json;
 }
 
-std::string textOf(const FrameFigures& f) {
-  std::string text = fmt::format("triangles      {} of the skin, {} of bones\n", f.triangles, f.bone_triangles);
-  text += fmt::format("drawn by       {}\n", f.renderer);
-  text += fmt::format("deform         {:.3f} ms\n", f.deform_ms);
-  text += fmt::format("upload         {:.3f} ms, {:.0f} vertices\n", f.upload_ms, f.uploaded_vertices);
-  text += fmt::format("draw           {:.2f} ms, skin on {:.0f} % of the picture\n", f.draw_ms, 100.0 * f.covered);
-  text += fmt::format("pictures       {:.1f} a second\n", f.fps);
-  return text + fmt::format("first picture  {:.0f} ms after the world was built\n", f.first_frame_ms);
-}
-
-}  // namespace
-
-void addBenchFrameCommand(Command& parent) {
-  struct Arguments {
-    FrameRun run;
-    std::string stereo{wordFor(view::StereoMode::mono)};
-    bool no_labels = false;
-    bool peers = false;
-    bool json = false;
-  };
-  auto arguments = std::make_shared<Arguments>();
-  FrameRun& run = arguments->run;
-  Command& command = *parent.add_subcommand("frame", "Time pictures without a window: deformation, upload and drawing");
+void addFrameOptions(Command& command, FrameArguments& arguments) {
+  FrameRun& run = arguments.run;
   addSetting(command, "--triangles", run.triangles, between(1000, 4e6),
              "Triangles of the skin; 18,296 of bones are added");
   command.add_flag("--trunk", run.trunk, "Draw the closed trunk (an even number of triangles) instead of the torso");
@@ -243,7 +204,7 @@ void addBenchFrameCommand(Command& parent) {
   shadings.insert(shadings.begin(), {"pbr", view::Shading::skin});
   addChoice(command, "--shading", run.shading, shadings,
             "Shading: light at the vertices, or skin (pbr: its earlier name)");
-  command.add_option("--stereo", arguments->stereo, "Stereo mode: mono, sbs-half, sbs-full, anaglyph-dubois, ...")
+  command.add_option("--stereo", arguments.stereo, "Stereo mode: mono, sbs-half, sbs-full, anaglyph-dubois, ...")
       ->capture_default_str();
   addSetting(command, "--width", run.width, between(16, 8192, "pixels"), "Width of the picture");
   addSetting(command, "--height", run.height, between(16, 8192, "pixels"), "Height of the picture");
@@ -253,22 +214,16 @@ void addBenchFrameCommand(Command& parent) {
              "Duration of the repetitions; the best picture of each place counts");
   command.add_flag("--close", run.close, "Draw from nearby: 100 mm of the body from the lower to the upper edge");
   command.add_flag("--cull,!--no-cull", run.cull, "Leave out skin that is outside the picture (default)");
-  command.add_flag("--no-labels", arguments->no_labels, "Draw no scale, orientation or numbers");
-  command.add_flag("--peers", arguments->peers,
+  command.add_flag("--no-labels", arguments.no_labels, "Draw no scale, orientation or numbers");
+  command.add_flag("--peers", arguments.peers,
                    "Accepted as in the other benchmarks; no other library draws this picture");
-  command.add_flag("--json", arguments->json, "Print one JSON object");
-  command.callback([arguments] {
-    arguments->run.stereo = view::stereoModeNamed(arguments->stereo);
-    arguments->run.labels = !arguments->no_labels;
-    const FrameFigures figures = measureFrames(arguments->run);
-    Json json = toJson(figures);
-    std::string text = textOf(figures);
-    if (arguments->peers) {
-      json["peers"] = Json::object();
-      text += "peers          none: no other library draws this picture\n";
-    }
-    printReport(json, text, arguments->json);
-  });
+}
+
+}  // namespace
+
+void addBenchFrameCommand(Command& parent) {
+  addBench(parent, "frame", "Time pictures without a window: deformation, upload and drawing", addFrameOptions,
+           measureFrames);
 }
 
 }  // namespace palpate::app

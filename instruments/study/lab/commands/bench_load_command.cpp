@@ -1,23 +1,18 @@
 // `palpate study bench load`: how long a user waits, and how much memory it takes, from a mesh file to the first force.
-#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "cli/kit/options.h"
-#include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
 #include "lab/commands/commands.h"
 #include "palpate/base/error.h"
 #include "palpate/base/hash.h"
-#include "palpate/base/json.h"
-#include "palpate/base/progress.h"
+#include "palpate/base/order_statistics.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
 #include "palpate/contact/finger.h"
@@ -27,29 +22,10 @@
 namespace palpate::app {
 namespace {
 
-// From a mesh file to the first force: the numbers of `palpate study bench load`.
-//
-// file -> scene::build (read and weld, repair, order, contact surface, deformation) -> one finger that presses.
-// The wait of a user between naming a file and feeling it.
-
 struct LoadStep {
   std::string name;             ///< as the progress line calls it
   double seconds = 0.0;         ///< all stretches of that name together
   double peak_memory_gb = 0.0;  ///< process's peak since its start, when the step ended
-};
-
-struct LoadFigures {
-  double seconds = 0.0;           ///< file to force
-  double peak_memory_gb = 0.0;    ///< process's peak, 1e9 bytes, including what was loaded before
-  std::uint64_t page_faults = 0;  ///< process's, from file to force; large pages take few
-  std::vector<LoadStep> steps;
-  std::size_t triangles = 0;  ///< triangles of the skin after repair
-  std::size_t vertices = 0;
-  double first_force_n = 0.0;
-  double tree_bytes_per_triangle = 0.0;     ///< tree and walk records
-  double tree_build_ns_per_triangle = 0.0;  ///< the same, built once more alone
-  std::uint64_t hash = 0;                   ///< hash of skin and first force
-  double change_ms = 0.0;                   ///< until the world has another dysfunction; the median of some
 };
 
 struct MemoryOfProcess {
@@ -138,15 +114,17 @@ std::uint64_t hashOf(const scene::World& world, const contact::FingerOutput& out
   return hash.value();
 }
 
-void measureTree(const mesh::TriangleMesh& skin, LoadFigures& figures) {
+/// Bytes of the tree and its walk records, and the time to build them once more alone.
+void addTree(const mesh::TriangleMesh& skin, Json& json) {
   const auto triangles = static_cast<double>(skin.triangles.size());
   const Clock::time_point start = Clock::now();
   const tree::TriangleTree tree = tree::buildTriangleTree(skin);
-  figures.tree_build_ns_per_triangle = secondsSince(start) * 1e9 / triangles;
+  const double seconds = secondsSince(start);
   const std::size_t bytes = tree.nodes.size() * sizeof(tree::WideNode) +
                             tree.records.size() * sizeof(tree::TriangleRecord) +
                             tree.source_triangle.size() * sizeof(Index);
-  figures.tree_bytes_per_triangle = static_cast<double>(bytes) / triangles;
+  json["tree_bytes_per_triangle"] = static_cast<double>(bytes) / triangles;
+  json["tree_build_ns_per_triangle"] = seconds * 1e9 / triangles;
 }
 
 /// A dysfunction of 25 mm that moves by a millimetre a time, as under a slider.
@@ -160,35 +138,7 @@ double changeMs(const scene::World& world) {
     (void)scene::rebuilt(world, scene);
     times_ms.push_back(1e3 * secondsSince(start));
   }
-  std::ranges::nth_element(times_ms, times_ms.begin() + 4);
-  return times_ms[4];
-}
-
-/// Throws Error as scene::build does, and for a body that cannot be felt anywhere.
-LoadFigures measureLoad(const std::filesystem::path& file, const Progress& progress) {
-  scene::Scene scene;
-  scene.body.kind = scene::BodyKind::mesh;
-  scene.body.file = file;
-  LoadFigures figures;
-  StageClock clock(progress);
-  const std::uint64_t faults_before = memoryOfProcess().page_faults;
-  const Clock::time_point start = Clock::now();
-  const auto world = scene::build(scene, clock.callback());
-  clock.begin("first touch");
-  const contact::FingerOutput output = firstForce(*world);
-  figures.seconds = secondsSince(start);
-  figures.steps = clock.finish();
-  const MemoryOfProcess memory = memoryOfProcess();
-  figures.peak_memory_gb = memory.peak_gb;
-  figures.page_faults = memory.page_faults - faults_before;
-  figures.triangles = world->body->skin.triangles.size();
-  figures.vertices = world->body->skin.positions.size();
-  figures.first_force_n = output.force.norm();
-  figures.hash = hashOf(*world, output);
-  report(progress, "building the tree once more", 0.0);
-  measureTree(world->body->skin, figures);
-  figures.change_ms = changeMs(*world);
-  return figures;
+  return medianOf(std::move(times_ms));
 }
 
 /// Time of assimp alone to read the file, not welded, into the same arrays, s. Throws Error where it cannot.
@@ -203,88 +153,70 @@ double assimpSeconds(const std::filesystem::path& file) {
 struct LoadArguments {
   std::string file;
   bool peers = false;
-  bool json = false;
 };
 
-double perTriangle(double value, const LoadFigures& f) { return value / static_cast<double>(f.triangles); }
+/// Reading alone is what assimp does too.
+void addAssimp(const std::filesystem::path& file, const std::vector<LoadStep>& steps, Json& json) {
+  try {
+    const double theirs = assimpSeconds(file);
+    const auto reading = std::ranges::find(steps, "reading", &LoadStep::name);
+    json["peers"]["assimp"] = {{"seconds", theirs}};
+    json["ratio_to"]["assimp"] = (reading == steps.end() ? 0.0 : reading->seconds) / theirs;
+  } catch (const Error& error) {
+    json["peers"]["assimp"] = {{"skipped", error.what()}};
+  }
+}
 
-Json toJson(const std::string& file, const LoadFigures& f) {
+/// The wait of a user between naming a file and feeling it: file -> scene::build (read and weld, repair, order, contact
+/// surface, deformation) -> one finger that presses. Throws Error as scene::build does, and for a body that cannot be
+/// felt anywhere.
+Json measureLoad(const LoadArguments& arguments, ProgressLine& progress) {
+  const WrittenMesh mesh(arguments.file);
+  scene::Scene scene;
+  scene.body.kind = scene::BodyKind::mesh;
+  scene.body.file = mesh.file();
+  const Progress shown = progress.callback();
+  StageClock clock(shown);
+  const std::uint64_t faults_before = memoryOfProcess().page_faults;
+  const Clock::time_point start = Clock::now();
+  const auto world = scene::build(scene, clock.callback());
+  clock.begin("first touch");
+  const contact::FingerOutput output = firstForce(*world);
+  const double seconds = secondsSince(start);
+  const std::vector<LoadStep> steps = clock.finish();
+  const MemoryOfProcess memory = memoryOfProcess();
+  const mesh::TriangleMesh& skin = world->body->skin;
+  const auto triangles = static_cast<double>(skin.triangles.size());  // after repair
   Json json;
-  json["file"] = file;
-  json["triangles"] = f.triangles;
-  json["vertices"] = f.vertices;
-  json["seconds"] = f.seconds;
-  json["peak_memory_gb"] = f.peak_memory_gb;
-  json["page_faults"] = f.page_faults;
-  json["bytes_per_triangle"] = perTriangle(f.peak_memory_gb * 1e9, f);
-  json["ns_per_triangle"] = perTriangle(f.seconds * 1e9, f);
-  for (const LoadStep& step : f.steps) {
+  json["file"] = arguments.file;
+  json["triangles"] = skin.triangles.size();
+  json["vertices"] = skin.positions.size();
+  json["seconds"] = seconds;
+  json["peak_memory_gb"] = memory.peak_gb;
+  json["page_faults"] = memory.page_faults - faults_before;  // large pages take few
+  json["bytes_per_triangle"] = memory.peak_gb * 1e9 / triangles;
+  json["ns_per_triangle"] = seconds * 1e9 / triangles;
+  for (const LoadStep& step : steps) {
     json["steps"].push_back({{"name", step.name}, {"seconds", step.seconds}, {"peak_memory_gb", step.peak_memory_gb}});
   }
-  json["tree_bytes_per_triangle"] = f.tree_bytes_per_triangle;
-  json["tree_build_ns_per_triangle"] = f.tree_build_ns_per_triangle;
-  json["change_ms"] = f.change_ms;
-  json["first_force_n"] = f.first_force_n;
-  json["hash"] = fmt::format("{:016x}", f.hash);
+  report(shown, "building the tree once more", 0.0);
+  addTree(skin, json);
+  json["change_ms"] = changeMs(*world);
+  json["first_force_n"] = output.force.norm();
+  json["hash"] = lab::hashText(hashOf(*world, output));
+  if (arguments.peers) addAssimp(mesh.file(), steps, json);
   return json;
 }
 
-std::string textOf(const LoadFigures& f) {
-  std::string text = fmt::format("triangles            {}\n", f.triangles);
-  text +=
-      fmt::format("file to first force  {:.2f} s, {:.0f} ns a triangle\n", f.seconds, perTriangle(f.seconds * 1e9, f));
-  text += fmt::format("peak memory          {:.2f} GB, {:.0f} bytes a triangle\n", f.peak_memory_gb,
-                      perTriangle(f.peak_memory_gb * 1e9, f));
-  text += fmt::format("page faults          {}\n", f.page_faults);
-  for (const LoadStep& step : f.steps) {
-    text += fmt::format("  {:<32} {:>7.3f} s, peak {:.2f} GB\n", step.name, step.seconds, step.peak_memory_gb);
-  }
-  text += fmt::format("tree and records     {:.1f} bytes, built in {:.0f} ns a triangle\n", f.tree_bytes_per_triangle,
-                      f.tree_build_ns_per_triangle);
-  text += fmt::format("another dysfunction  {:.2f} ms\n", f.change_ms);
-  return text + fmt::format("hash                 {:016x}\n", f.hash);
-}
-
-double stepSeconds(const LoadFigures& f, std::string_view step) {
-  for (const LoadStep& s : f.steps) {
-    if (s.name == step) return s.seconds;
-  }
-  return 0.0;
-}
-
-/// Reading alone is what assimp does too.
-void addAssimp(const std::filesystem::path& file, const LoadFigures& f, Json& json, std::string& text) {
-  try {
-    const double theirs = assimpSeconds(file);
-    const double ratio = stepSeconds(f, "reading") / theirs;
-    json["peers"]["assimp"] = {{"seconds", theirs}};
-    json["ratio_to"]["assimp"] = ratio;
-    text += fmt::format("assimp               {:.2f} s to read, ours {:.2f} of that with welding\n", theirs, ratio);
-  } catch (const Error& error) {
-    json["peers"]["assimp"] = {{"skipped", error.what()}};
-    text += fmt::format("assimp               skipped: {}\n", error.what());
-  }
-}
-
-void runLoadBench(const LoadArguments& arguments) {
-  ProgressLine progress;
-  const WrittenMesh mesh(arguments.file);
-  const LoadFigures figures = measureLoad(mesh.file(), progress.callback());
-  Json json = toJson(arguments.file, figures);
-  std::string text = textOf(figures);
-  if (arguments.peers) addAssimp(mesh.file(), figures, json, text);
-  progress.clear();
-  printReport(std::move(json), text, arguments.json);
+void addLoadOptions(Command& command, LoadArguments& a) {
+  command.add_option("FILE", a.file, kMeshNamesHelp)->required();
+  command.add_flag("--peers", a.peers, "Also time how long assimp reads the same file");
 }
 
 }  // namespace
 
 void addBenchLoadCommand(Command& parent) {
-  const auto [command, arguments] =
-      addCommand(parent, "load", "Time everything from a mesh file to the first force felt", runLoadBench);
-  command.add_option("FILE", arguments.file, kMeshNamesHelp)->required();
-  command.add_flag("--peers", arguments.peers, "Also time how long assimp reads the same file");
-  command.add_flag("--json", arguments.json, "Print one JSON object");
+  addBench(parent, "load", "Time everything from a mesh file to the first force felt", addLoadOptions, measureLoad);
 }
 
 }  // namespace palpate::app

@@ -1,13 +1,9 @@
 // `palpate study bench partition`: how long the haptic detecting box takes on a mesh.
-#include <fmt/format.h>
-
-#include <memory>
 #include <utility>
 #include <vector>
 
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
-#include "cli/kit/progress_line.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/bench_report.h"
 #include "lab/commands/commands.h"
@@ -15,7 +11,6 @@
 #include "lab/peers/judge.h"
 #include "lab/peers/peer.h"
 #include "lab/runs/partition_run.h"
-#include "palpate/base/json.h"
 
 namespace palpate::app {
 namespace {
@@ -24,7 +19,6 @@ struct BenchPartitionArguments {
   std::string mesh;
   bench::PartitionRun run;
   PeersOption peers;
-  bool json = false;
 };
 
 Json toJson(const BenchPartitionArguments& arguments, const bench::PartitionFigures& f) {
@@ -50,56 +44,24 @@ Json toJson(const BenchPartitionArguments& arguments, const bench::PartitionFigu
   json["bytes_per_triangle"] = f.bytes_per_triangle;
   json["build_ns_per_triangle"] = f.build_ns_per_triangle;
   json["allocations"] = orNull(f.allocations);
-  json["hash"] = fmt::format("{:016x}", f.hash);
+  json["hash"] = lab::hashText(f.hash);
   return json;
 }
 
-std::string textOf(const bench::PartitionFigures& f) {
-  const auto line = [](const char* name, const lab::Percentiles& p) {
-    return fmt::format("{:<22}{}\n", name, percentilesText(p));
-  };
-  std::string text = fmt::format("triangles             {}\nbox                   {:.2f} mm\n", f.triangles, f.edge_mm);
-  text += line("exact triangles", f.hdb_query_us);
-  text += line("  of it finding", f.ranges_us);
-  text += line("leaves", f.leaves_us);
-  text += fmt::format("found on average      {:.0f} triangles in {:.0f} ranges; leaves render {:.0f}\n",
-                      f.mean_triangles, f.mean_ranges, f.mean_rendered);
-  text += fmt::format("coherent list         {:.3f} us a tick, worst {:.1f} us, {} refreshes\n", f.hybrid_us_per_tick,
-                      f.hybrid_worst_us, f.hybrid_refreshes);
-  text += fmt::format("linked list           {:.3f} us a tick, worst {:.1f} us, {:.0f} boxes tested\n",
-                      f.linked_us_per_tick, f.linked_worst_us, f.linked_boxes);
-  text += fmt::format("memory, build         {:.1f} bytes, {:.0f} ns a triangle\n", f.bytes_per_triangle,
-                      f.build_ns_per_triangle);
-  return text +
-         fmt::format("heap allocations      {}\nhash                  {:016x}\n", countText(f.allocations), f.hash);
-}
-
-std::vector<bench::PeerFigures> measurePeers(const BenchPartitionArguments& arguments, const mesh::TriangleMesh& mesh) {
-  if (!arguments.peers.wanted) return {};
-  const std::vector<Box3> boxes = bench::slidingBoxes(mesh, arguments.run);
-  return bench::comparePeers(arguments.peers.peers, mesh, boxes, arguments.peers.seconds);
-}
-
-void runPartitionBench(const BenchPartitionArguments& arguments) {
+Json measurePartitions(const BenchPartitionArguments& arguments, ProgressLine& progress) {
   if (arguments.peers.wanted) handOverToPeersProgram(arguments.peers);
-  ProgressLine progress;
   const mesh::TriangleMesh mesh = meshFrom(arguments.mesh, {}, progress.callback());
   progress.show("measuring", 0.0);
   const bench::PartitionFigures figures = bench::measurePartition(mesh, arguments.run);
-  const std::vector<bench::PeerFigures> peers = measurePeers(arguments, mesh);
-  progress.clear();
   Json json = toJson(arguments, figures);
-  const double p50 = figures.hdb_query_us.p50;
-  if (arguments.peers.wanted) addPeers(json, peers, PeerTask::boxes, p50);
-  printReport(std::move(json), textOf(figures) + peersText(peers, PeerTask::boxes, p50), arguments.json);
+  if (!arguments.peers.wanted) return json;
+  const std::vector<Box3> boxes = bench::slidingBoxes(mesh, arguments.run);
+  addPeers(json, bench::comparePeers(arguments.peers.peers, mesh, boxes, arguments.peers.seconds), PeerTask::boxes,
+           figures.hdb_query_us.p50);
+  return json;
 }
 
-}  // namespace
-
-void addBenchPartitionCommand(Command& parent, std::vector<bench::Peer> peers) {
-  const auto [command, arguments] =
-      addCommand(parent, "partition", "Time the haptic detecting box of a finger that slides", runPartitionBench);
-  arguments.peers.peers = std::move(peers);
+void addPartitionOptions(Command& command, BenchPartitionArguments& arguments) {
   bench::PartitionRun& run = arguments.run;
   command.add_option("--mesh", arguments.mesh, kMeshNamesHelp)->required();
   addPartitionSettings(command, run.settings);
@@ -108,7 +70,14 @@ void addBenchPartitionCommand(Command& parent, std::vector<bench::Peer> peers) {
              "Margin of the coherent list, as a share of the box's edge");
   addSetting(command, "--ticks", run.ticks, between(1, 1e6), "Number of ticks of 1 ms to slide");
   addPeersOption(command, arguments.peers);
-  command.add_flag("--json", arguments.json, "Print one JSON object");
+}
+
+}  // namespace
+
+void addBenchPartitionCommand(Command& parent, std::vector<bench::Peer> peers) {
+  addBench(parent, "partition", "Time the haptic detecting box of a finger that slides", addPartitionOptions,
+           measurePartitions)
+      .peers.peers = std::move(peers);
 }
 
 void addBenchPartitionCommand(Command& parent) { addBenchPartitionCommand(parent, bench::peersWithoutLibraries()); }

@@ -12,23 +12,23 @@
 #include <vector>
 
 #include "cli/kit/interruption.h"
+#include "cli/kit/json.h"
 #include "cli/kit/mesh_arguments.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/options.h"
 #include "cli/kit/output_place.h"
 #include "cli/kit/progress_line.h"
+#include "cli/kit/readable_text.h"
 #include "lab/commands/bench_arguments.h"
 #include "lab/commands/commands.h"
 #include "lab/hunt/hunt.h"
 #include "lab/hunt/kept_case.h"
 #include "palpate/base/error.h"
-#include "palpate/base/json.h"
+#include "report/page/figures_text.h"
 
 namespace palpate::app {
 
 namespace {
-
-// Arguments of `palpate study hunt`, and the plan that they make.
 
 struct HuntArguments {
   std::size_t ticks = 1000000;
@@ -131,14 +131,8 @@ lab::HuntPlan makeHuntPlan(const HuntArguments& arguments, const Progress& progr
   return plan;
 }
 
-// Results of a hunt: as text, as JSON, as folders of cases.
-
 /// Lines of the text report; the JSON has all of them.
 constexpr std::size_t kMaxLines = 20;
-
-double ticksPerSecond(const lab::HuntResult& result) {
-  return result.seconds > 0.0 ? static_cast<double>(result.ticks) / result.seconds : 0.0;
-}
 
 std::size_t faultTicks(const lab::HuntResult& result, lab::Fault fault) {
   return result.fault_ticks[static_cast<std::size_t>(fault)];
@@ -205,8 +199,9 @@ lab::KeptCase makeKeptCase(const lab::HuntPlan& plan, const lab::FailingPath& pa
   return kept;
 }
 
-/// `files`: for each failing path the folder of its case, or nothing.
-Json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result, const std::vector<std::string>& files) {
+/// All but the failing paths.
+Json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result) {
+  const double ticks_per_s = result.seconds > 0.0 ? static_cast<double>(result.ticks) / result.seconds : 0.0;
   Json json;
   json["complete"] = endingSignal() == 0;
   json["ended_by"] = endingSignal() == 0 ? Json(nullptr) : Json(nameOfSignal(endingSignal()));
@@ -223,9 +218,6 @@ Json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result, const st
   json["lumps_moved"] = faultTicks(result, lab::Fault::lump_moved);
   json["held_through_body"] = result.held_through_ticks;
   json["events"] = result.events;
-  json["failing_paths"] = Json::array();
-  for (std::size_t i = 0; i < result.failing.size(); ++i)
-    json["failing_paths"].push_back(failingJson(result.failing[i], files[i]));
   json["paths"] = result.paths;
   json["touching_ticks"] = result.touching_ticks;
   json["open_ticks"] = result.open_ticks;
@@ -234,31 +226,22 @@ Json huntJson(const lab::HuntPlan& plan, const lab::HuntResult& result, const st
   json["lumps"] = plan.lumps;
   json["radii_mm"] = plan.radii_mm;
   json["seconds"] = result.seconds;
-  json["ticks_per_s"] = ticksPerSecond(result);
+  json["ticks_per_s"] = ticks_per_s;
   return json;
 }
 
-std::string huntText(const lab::HuntResult& result, const std::vector<std::string>& files) {
-  std::string text =
-      fmt::format("ticks             {} ({} in contact) on {} bodies along {} paths, {:.0f} ticks/s\n", result.ticks,
-                  result.touching_ticks, result.bodies, result.paths, ticksPerSecond(result));
-  if (endingSignal() != 0) text += fmt::format("ended by {}, before it was done\n", nameOfSignal(endingSignal()));
-  text += fmt::format("falls             {}\n", faultTicks(result, lab::Fault::fall));
-  text += fmt::format("missed contacts   {}\n", faultTicks(result, lab::Fault::missed_contact));
-  text += fmt::format("wrong forces      {}\n", faultTicks(result, lab::Fault::wrong_force));
-  text += fmt::format("steps over bound  {}\n", faultTicks(result, lab::Fault::step));
-  text += fmt::format("held in air       {} ({} on bodies with a border)\n",
-                      faultTicks(result, lab::Fault::held_in_air), result.held_in_air_open_ticks);
-  text += fmt::format("lumps             {} wrong forces, {} steps over the bound, {} wrong motions\n",
-                      faultTicks(result, lab::Fault::lump_force), faultTicks(result, lab::Fault::lump_step),
-                      faultTicks(result, lab::Fault::lump_moved));
-  text += fmt::format("held through body {}\n", result.held_through_ticks);
-  text += fmt::format("events            {}\n", result.events);
-  for (std::size_t i = 0; i < std::min(result.failing.size(), kMaxLines); ++i)
-    text += failingText(result.failing[i], files[i]);
-  if (result.failing.size() > kMaxLines)
-    text += fmt::format("... and {} more (--json has all)\n", result.failing.size() - kMaxLines);
-  return text;
+/// `files`: for each failing path the folder of its case, or nothing.
+void printHunt(Json json, const std::vector<lab::FailingPath>& failing, const std::vector<std::string>& files,
+               bool as_json) {
+  if (as_json) {
+    json["failing_paths"] = Json::array();
+    for (std::size_t i = 0; i < failing.size(); ++i) json["failing_paths"].push_back(failingJson(failing[i], files[i]));
+    return fmt::print("{}", jsonText(json));
+  }
+  std::string text = study::figuresText(json);
+  for (std::size_t i = 0; i < std::min(failing.size(), kMaxLines); ++i) text += failingText(failing[i], files[i]);
+  if (failing.size() > kMaxLines) text += fmt::format("... and {} more (--json has all)\n", failing.size() - kMaxLines);
+  printReadable(text);
 }
 
 std::string replayText(const std::string& folder, const lab::KeptCase& kept, const lab::HuntReport& report) {
@@ -314,7 +297,7 @@ void runHunt(const HuntArguments& arguments) {
   std::vector<std::string> files(result.failing.size());
   if (!arguments.out.empty()) files = writeCases(plan, result, arguments, progress.display());
   progress.clear();
-  fmt::print("{}", arguments.json ? jsonDump(huntJson(plan, result, files), 2) + "\n" : huntText(result, files));
+  printHunt(huntJson(plan, result), result.failing, files, arguments.json);
   if (!result.failing.empty()) endWithFindings();
 }
 

@@ -2,15 +2,13 @@
 // `instruments/study/solve/commands/lump_command.cpp`.
 #include <fmt/format.h>
 
-#include <memory>
-#include <string>
-
+#include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/options.h"
 #include "cli/kit/progress_line.h"
 #include "lab/commands/commands.h"
 #include "lab/loops/lump_loops.h"
-#include "palpate/base/json.h"
+#include "report/page/figures_text.h"
 
 namespace palpate::app {
 
@@ -86,26 +84,6 @@ Json loopsJson(const LumpLoops& loops, std::uint64_t seed) {
   return json;
 }
 
-std::string loopsText(const LumpLoops& loops) {
-  const auto& [closed, held, stiffest] = loops;
-  std::string text =
-      fmt::format("closed paths   {} over {} fixed lumps, {} ticks\n", closed.paths, closed.lumps, closed.ticks);
-  for (const auto& by_step : closed.by_steps) {
-    text += fmt::format("  steps of {:g} mm   work {:.2g} of what was stored at worst, {:.2g} on average\n",
-                        by_step.step_mm, by_step.worst_share, by_step.mean_share);
-  }
-  text += fmt::format("mobile lumps   {} paths, {} with two fingers; moved in {}, {:.1f} mm at most\n", held.paths,
-                      held.with_two_fingers, held.felt, held.farthest_mm);
-  text += fmt::format("  given back beyond what was stored {:.2g} N mm, lost {:.2f} N mm at most, {} oscillate\n",
-                      held.given_back_n_mm, held.lost_n_mm, held.oscillating);
-  text += fmt::format(
-      "stiffest lump  {:.2f} N/mm with the skin: of {} systems {} oscillate after a kick ({} without the "
-      "controller); {:.2g} mJ given after a tap\n",
-      stiffest.slope_n_per_mm, stiffest.systems, stiffest.oscillating, stiffest.oscillating_bare,
-      stiffest.port_energy_mj);
-  return text;
-}
-
 void runLumpLoops(LumpLoopsArguments arguments) {
   ProgressLine progress;
   arguments.closed.seed = arguments.held.seed = arguments.seed;
@@ -114,7 +92,8 @@ void runLumpLoops(LumpLoopsArguments arguments) {
                         lab::measureHeldLumps(arguments.held, progress.callback()),
                         lab::measureStiffestLump(arguments.stiffest, progress.callback())};
   progress.clear();
-  fmt::print("{}", arguments.json ? jsonDump(loopsJson(loops, arguments.seed), 2) + "\n" : loopsText(loops));
+  const Json json = loopsJson(loops, arguments.seed);
+  fmt::print("{}", arguments.json ? jsonText(json) : study::figuresText(json));
   if (!holds(loops)) throw ExitWith(1);
 }
 

@@ -43,29 +43,6 @@ bool lacksPeersProgram(const PeerFigures& figures) {
   return !figures.skipped.empty() && !figures.package.empty() && !isPeersProgram();
 }
 
-}  // namespace
-
-void addPeersOption(Command& command, PeersOption& option) {
-  command.add_flag("--peers", option.wanted,
-                   "Also time the same queries in Embree, CGAL, FCL and the literal dissertation, those of a tool in "
-                   "Bullet and FCL");
-  addSetting(command, "--peer-seconds", option.seconds, between(0.01, 3600.0, "s"),
-             "Time for the queries of each peer, without building");
-}
-
-void handOverToPeersProgram(const PeersOption& option) {
-  std::error_code none;
-  const std::filesystem::path program = system::ownProgram().parent_path() / kPeersProgram;
-  if (linksLibraries(option) || isPeersProgram() || !std::filesystem::exists(program, none)) return;
-  std::vector<std::string> arguments = ownArguments();
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  pointers.push_back(nullptr);
-  execv(program.c_str(), pointers.data());  // returns only on failure: then this program prints its own results
-}
-
-namespace {
-
 /// The reason for missing figures.
 std::string explainSkip(const PeerFigures& f) {
   return lacksPeersProgram(f) ? fmt::format("not run, {} is not next to this program", kPeersProgram) : f.skipped;
@@ -91,27 +68,30 @@ Json toJson(const PeerFigures& f, PeerTask task) {
   json["disagreements"] = f.disagreements;
   json["bytes_per_triangle"] = orNull(f.bytes_per_triangle);
   json["build_ns_per_triangle"] = f.build_ns_per_triangle;
-  json["hash"] = fmt::format("{:016x}", f.hash);
+  json["hash"] = lab::hashText(f.hash);
   return json;
 }
 
-std::string answersText(const PeerFigures& f, PeerTask task) {
-  if (task == PeerTask::tool) return fmt::format("{:.1f} pads touch on average", f.mean_touching);
-  if (task == PeerTask::boxes) return fmt::format("{:.0f} triangles on average", f.mean_triangles);
-  return fmt::format("nearest {:.5f} mm on average, {} segments hit", f.mean_distance_mm, f.hits);
-}
-
-std::string textOf(const PeerFigures& f, PeerTask task, double ours_p50) {
-  if (lacksPeersProgram(f)) return fmt::format("{:<25}{}\n", f.name + ":", explainSkip(f));
-  if (!f.skipped.empty()) return fmt::format("{:<25}{} ({})\n", f.name + ":", f.skipped, f.package);
-  std::string text = fmt::format("{:<25}{}", f.name, percentilesText(f.query_us));
-  if (f.query_us.p50 > 0.0) text += fmt::format(", ours takes 1/{:.1f}", f.query_us.p50 / ours_p50);
-  text += fmt::format("\n{:<25}{} queries, {}, {} disagree; ", "", f.queries, answersText(f, task), f.disagreements);
-  if (f.bytes_per_triangle) text += fmt::format("{:.0f} bytes, ", *f.bytes_per_triangle);
-  return text + fmt::format("{:.0f} ns a triangle; hash {:016x}\n", f.build_ns_per_triangle, f.hash);
-}
-
 }  // namespace
+
+void addPeersOption(Command& command, PeersOption& option) {
+  command.add_flag("--peers", option.wanted,
+                   "Also time the same queries in Embree, CGAL, FCL and the literal dissertation, those of a tool in "
+                   "Bullet and FCL");
+  addSetting(command, "--peer-seconds", option.seconds, between(0.01, 3600.0, "s"),
+             "Time for the queries of each peer, without building");
+}
+
+void handOverToPeersProgram(const PeersOption& option) {
+  std::error_code none;
+  const std::filesystem::path program = system::ownProgram().parent_path() / kPeersProgram;
+  if (linksLibraries(option) || isPeersProgram() || !std::filesystem::exists(program, none)) return;
+  std::vector<std::string> arguments = ownArguments();
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  execv(program.c_str(), pointers.data());  // returns only on failure: then this program prints its own results
+}
 
 void addPeers(Json& json, std::span<const PeerFigures> peers, PeerTask task, double ours_p50) {
   Json all = Json::object();
@@ -122,12 +102,6 @@ void addPeers(Json& json, std::span<const PeerFigures> peers, PeerTask task, dou
   }
   json["peers"] = std::move(all);
   json["ratio_to"] = std::move(ratios);
-}
-
-std::string peersText(std::span<const PeerFigures> peers, PeerTask task, double ours_p50) {
-  std::string text;
-  for (const PeerFigures& f : peers) text += textOf(f, task, ours_p50);
-  return text;
 }
 
 }  // namespace palpate::app

@@ -1,4 +1,9 @@
-// The keys and lines that `--peers` adds to a benchmark's report.
+// The option --peers: ours compared with the libraries that people know, and the keys that it adds to a benchmark's
+// report.
+//
+// The libraries are linked to a program of their own, palpate_peers, which is next to `palpate` in the build folder:
+// one of them (CGAL) is under the GPL, and a command for all users should not depend on any of them. That program has
+// the same benchmark commands and measures ours and theirs in one process; `palpate` hands over to it.
 #pragma once
 
 #include <span>
@@ -11,12 +16,6 @@
 #include "palpate/base/json.h"
 
 namespace palpate::app {
-
-// The option --peers: ours compared with the libraries that people know.
-//
-// The libraries are linked to a program of their own, palpate_peers, which is next to `palpate` in the build folder:
-// one of them (CGAL) is under the GPL, and a command for all users should not depend on any of them. That program has
-// the same benchmark commands and measures ours and theirs in one process; `palpate` hands over to it.
 
 struct PeersOption {
   bool wanted = false;
@@ -41,22 +40,5 @@ enum class PeerTask { contact, boxes, tool };
 
 /// Adds `peers` and `ratio_to` (ours over theirs at p50) to the report of ours.
 void addPeers(Json& json, std::span<const bench::PeerFigures> peers, PeerTask task, double ours_p50);
-
-/// A line or two a peer.
-std::string peersText(std::span<const bench::PeerFigures> peers, PeerTask task, double ours_p50);
-
-// `palpate study bench contact --tool`: a tool of several pads instead of one finger.
-
-struct BenchToolArguments {
-  std::string mesh, trajectory, tool;
-  double stiffness_n_per_mm = 0.5;
-  contact::FingerSettings finger;  ///< its radius is not looked at
-  bench::Window window;
-  PeersOption peers;
-  bool json = false;
-};
-
-/// Measures and prints. Throws Error.
-void runToolBench(const BenchToolArguments& arguments);
 
 }  // namespace palpate::app

@@ -1,7 +1,7 @@
 // Built once a body, O(n log n); a query visits some tens of nodes and triangles, about a microsecond on 20,000.
 // Data flow: repaired mesh -> here -> hunt_judge.h. The point of a triangle nearest to a place is
 // surface_side.h's.
-#include "lab/judges/hunt_judge.h"
+#include "lab/judges/box_tree.h"
 
 #include <algorithm>
 #include <cmath>

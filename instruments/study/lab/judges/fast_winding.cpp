@@ -2,7 +2,7 @@
 // Data flow: box_tree.cpp -> here -> hunt_judge.h. A query is O(log n) where the point is not on the surface.
 // Based on: Barill, Dickson, Schmidt, Levin, Jacobson, "Fast winding numbers for soups and clouds" (2018), Taylor
 // expansion to its second term; Van Oosterom and Strackee, "The solid angle of a plane triangle" (1983).
-#include "lab/judges/hunt_judge.h"
+#include "lab/judges/fast_winding.h"
 
 #include <algorithm>
 #include <array>

@@ -13,94 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "lab/judges/fast_winding.h"
 #include "lab/judges/surface_side.h"
 #include "palpate/contact/finger_state.h"
 #include "palpate/mesh/triangle_mesh.h"
 
 namespace palpate::lab {
-
-// A tree of boxes over a mesh's triangles, for oracles that run in every tick: nearest point and crossings.
-//
-// Plain on purpose, and without any code of `tree` or `contact`: split at the median of the centres, one box a node.
-
-struct BoxNode {
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
-  Index first = 0, last = 0;  ///< slots of the triangles below, half open
-  Index right = 0;            ///< second child, the first is the next node; 0 for a leaf
-};
-
-/// The point of a surface nearest to a place.
-struct NearPoint {
-  Vec3 point = Vec3::Zero();
-  double distance = 0.0;
-  Index triangle = kNoIndex;  ///< none: nothing within the bound that was given
-};
-
-class BoxTree {
- public:
-  /// The mesh must have a triangle; it is copied corner by corner.
-  explicit BoxTree(const mesh::TriangleMesh& mesh);
-
-  const std::vector<BoxNode>& nodes() const { return nodes_; }
-  /// Triangles lie in slots, those of a node in a row.
-  const std::array<Vec3, 3>& corners(Index slot) const { return corners_[slot]; }
-  Index slotOf(Index triangle) const { return slots_[triangle]; }
-  Index triangles() const { return static_cast<Index>(order_.size()); }
-
-  /// Nearer than `bound` only.
-  NearPoint nearest(const Vec3& place, double bound) const;
-  /// Triangles not farther than `reach`.
-  void collectWithin(const Vec3& place, double reach, std::vector<Index>& triangles) const;
-
-  /// How often the segment goes into the surface (from the front of a triangle to its back) less how often it comes
-  /// out, and where it first goes in. Rounded, not exact: not for segments through an edge.
-  struct Crossing {
-    int inwards = 0;
-    std::optional<Vec3> entry;
-  };
-  Crossing crossing(const Vec3& from, const Vec3& to) const;
-
- private:
-  Index build(Index first, Index last, const mesh::TriangleMesh& mesh, const std::vector<Vec3>& centres);
-
-  std::vector<BoxNode> nodes_;
-  std::vector<Index> order_, slots_;
-  std::vector<std::array<Vec3, 3>> corners_;
-};
-
-/// Distance from a place to a node's box, squared; 0 inside.
-inline double distance2(const BoxNode& node, const Vec3& place) {
-  const Vec3 out = (node.low - place).cwiseMax(place - node.high).cwiseMax(0.0);
-  return out.squaredNorm();
-}
-
-// The generalised winding number of a surface in a microsecond: 1 inside a closed body, 0 outside, 2 where two bodies
-// overlap, a share in between near a hole.
-//
-// For oracles that run in every tick; `windingNumber` of surface_side.h is the exact sum that this one is tested
-// against.
-
-class FastWinding {
- public:
-  /// The tree must outlive this.
-  explicit FastWinding(const BoxTree& tree);
-
-  /// Within about 0.01 of the exact sum (instruments/study/lab/tests/lab/fast_winding_test.cpp).
-  double at(const Vec3& point) const;
-
- private:
-  /// A node's triangles from afar.
-  struct Dipole {
-    Vec3 centre = Vec3::Zero();  ///< centre of their area
-    Vec3 area = Vec3::Zero();    ///< sum of area vectors
-    Mat3 spread = Mat3::Zero();  ///< sum of (centre of triangle - centre) x area vector: the term after the dipole
-    double far2 = 0.0;           ///< squared distance from which on it replaces them
-  };
-  void summarise(Index node);
-
-  const BoxTree& tree_;
-  std::vector<Dipole> dipoles_;  ///< per node
-};
 
 enum class Fault {
   fall,            ///< the finger is free, the tip is inside, and was outside or held before

@@ -1,4 +1,4 @@
-#include "lab/loops/loop_trials.h"
+#include "lab/loops/closed_loop.h"
 
 #include <algorithm>
 #include <utility>

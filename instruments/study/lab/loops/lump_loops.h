@@ -11,8 +11,7 @@
 
 namespace palpate::lab {
 
-// A point or a fingertip without friction goes along a closed path over fixed lumps and returns to where it was.
-
+/// A point or a fingertip without friction goes along a closed path over fixed lumps and returns to where it was.
 struct ClosedPathsPlan {
   std::size_t paths = 10000;
   double step_mm = 0.01;  ///< length of a step, on average
@@ -40,9 +39,8 @@ struct ClosedPathsFigures {
 /// The work is summed by the trapezium rule, whose error falls with the square of the step.
 ClosedPathsFigures measureClosedPaths(const ClosedPathsPlan& plan, const Progress& progress = {});
 
-// Devices and hands off their nominal values (random_loops.h) follow random goals over a mobile lump for some seconds
-// and then stay. Every second path has two fingers on one lump.
-
+/// Devices and hands off their nominal values (random_loops.h) follow random goals over a mobile lump for some seconds
+/// and then stay. Every second path has two fingers on one lump.
 struct HeldLumpsPlan {
   std::size_t paths = 400;
   double seconds = 4.0;  ///< length of a path; for the last fifth the goals stay
@@ -63,8 +61,7 @@ struct HeldLumpsFigures {
 
 HeldLumpsFigures measureHeldLumps(const HeldLumpsPlan& plan, const Progress& progress = {});
 
-// Random devices and hands, kicked and tapped over the middle of the stiffest lump that a scene can have.
-
+/// Random devices and hands, kicked and tapped over the middle of the stiffest lump that a scene can have.
 struct StiffestLumpPlan {
   std::size_t systems = 100;
   double delay_ticks = 1.0;

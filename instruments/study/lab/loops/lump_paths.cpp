@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "lab/loops/loop_trials.h"
+#include "lab/loops/closed_loop.h"
 #include "lab/loops/lump_loops.h"
 #include "lab/loops/shared_jobs.h"
 #include "lab/workloads/random_lumps.h"

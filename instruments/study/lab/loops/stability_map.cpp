@@ -1,10 +1,10 @@
 #include "lab/loops/stability_map.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
-#include <thread>
 #include <utility>
+
+#include "lab/loops/shared_jobs.h"
 
 namespace palpate::lab {
 
@@ -123,21 +123,12 @@ std::vector<StabilityCell> measureStabilityMap(const StabilityMapPlan& plan, con
     }
   }
   // The fastest first, which take longest.
-  std::atomic<std::size_t> taken{0};
-  const auto work = [&](const Progress& told) {
-    for (std::size_t i = taken++; i < cells.size(); i = taken++) {
-      StabilityCell& cell = cells[cells.size() - 1 - i];
-      cell = measuredCell(cell, plan.seed, plan.systems);
-      report(told, "mapping rate, delay, device and hand",
-             static_cast<double>(i + 1) / static_cast<double>(cells.size()));
-    }
-  };
-  const std::size_t threads = plan.threads > 0 ? plan.threads : std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::jthread> others;
-  for (std::size_t i = 1; i < threads; ++i) others.emplace_back([&work] { work({}); });
-  work(progress);
-  others.clear();
-  return cells;
+  std::reverse(cells.begin(), cells.end());
+  std::vector<StabilityCell> measured =
+      sharedJobs(cells.size(), plan.threads, "mapping rate, delay, device and hand", progress,
+                 [&](std::size_t i) { return measuredCell(cells[i], plan.seed, plan.systems); });
+  std::reverse(measured.begin(), measured.end());
+  return measured;
 }
 
 }  // namespace palpate::lab

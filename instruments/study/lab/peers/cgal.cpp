@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <memory>
 
 #include "lab/peers/timed_answers.h"
@@ -49,19 +50,15 @@ PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<c
   PeerRun<ContactAnswer> run;
   const auto model = timedBuild(mesh.triangles.size(), run, [&] { return buildModel(mesh); });
   Tree::Point_and_primitive_id hint{model->triangles.front()[0], model->triangles.cbegin()};
-  ContactAnswer answer;
-  const auto ask = [&](std::size_t i) {
-    const ContactQuery& q = queries[i];
-    answer = {};
-    if (q.reach > 0.0) {
-      const Point point = toPoint(q.point);
-      hint = model->tree.closest_point_and_primitive(point, hint);
-      const double distance = std::sqrt(CGAL::squared_distance(point, hint.first));
-      if (distance < q.reach) answer.distance = distance;
-    }
-    answer.crosses = model->tree.do_intersect(Kernel::Segment_3(toPoint(q.from), toPoint(q.to)));
+  const auto nearest = [&](const ContactQuery& q) {
+    const Point point = toPoint(q.point);
+    hint = model->tree.closest_point_and_primitive(point, hint);
+    const double distance = std::sqrt(CGAL::squared_distance(point, hint.first));
+    return distance < q.reach ? distance : std::numeric_limits<double>::infinity();
   };
-  timeAnswers(queries.size(), seconds, run, ask, [&](std::size_t) { return answer; });
+  timeContactAnswers(queries, seconds, run, nearest, [&](const ContactQuery& q) {
+    return model->tree.do_intersect(Kernel::Segment_3(toPoint(q.from), toPoint(q.to)));
+  });
   return run;
 }
 

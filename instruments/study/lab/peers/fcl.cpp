@@ -68,14 +68,9 @@ PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<c
                                      double seconds) {
   PeerRun<ContactAnswer> run;
   const auto model = timedBuild(mesh.triangles.size(), run, [&] { return buildModel(mesh); });
-  ContactAnswer answer;
-  const auto ask = [&](std::size_t i) {
-    const ContactQuery& q = queries[i];
-    answer = {};
-    if (q.reach > 0.0) answer.distance = nearest(*model, q.point, q.reach);
-    answer.crosses = crosses(*model, q.from, q.to);
-  };
-  timeAnswers(queries.size(), seconds, run, ask, [&](std::size_t) { return answer; });
+  timeContactAnswers(
+      queries, seconds, run, [&](const ContactQuery& q) { return nearest(*model, q.point, q.reach); },
+      [&](const ContactQuery& q) { return crosses(*model, q.from, q.to); });
   return run;
 }
 

@@ -10,14 +10,10 @@ PeerRun<ContactAnswer> answerContact(const mesh::TriangleMesh& mesh, std::span<c
                                      double seconds) {
   PeerRun<ContactAnswer> run;
   auto contact = timedBuild(mesh.triangles.size(), run, [&] { return literal::buildHdbContact(mesh); });
-  ContactAnswer answer;
-  const auto ask = [&](std::size_t i) {
-    const ContactQuery& q = queries[i];
-    answer = {};
-    if (q.reach > 0.0) answer.distance = literal::nearestInLeaves(contact, q.proxy, q.point, q.reach);
-    answer.crosses = literal::crossesInLeaves(contact, q.proxy, q.from, q.to);
-  };
-  timeAnswers(queries.size(), seconds, run, ask, [&](std::size_t) { return answer; });
+  timeContactAnswers(
+      queries, seconds, run,
+      [&](const ContactQuery& q) { return literal::nearestInLeaves(contact, q.proxy, q.point, q.reach); },
+      [&](const ContactQuery& q) { return literal::crossesInLeaves(contact, q.proxy, q.from, q.to); });
   return run;
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lab/runs/contact_run.h"
+#include "palpate/contact/tool.h"
 #include "palpate/hdb/haptic_box.h"
 
 namespace palpate::bench {

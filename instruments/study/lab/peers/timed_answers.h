@@ -52,4 +52,19 @@ void timeAnswers(std::size_t count, double seconds, PeerRun<Answer>& run, Ask&& 
   }
 }
 
+/// Answers to a finger: nearest(query) gives a distance, for queries that ask for one, and
+/// crosses(query) whether the segment does.
+template <class Nearest, class Crosses>
+void timeContactAnswers(std::span<const ContactQuery> queries, double seconds, PeerRun<ContactAnswer>& run,
+                        Nearest&& nearest, Crosses&& crosses) {
+  ContactAnswer answer;
+  const auto ask = [&](std::size_t i) {
+    const ContactQuery& query = queries[i];
+    answer = {};
+    if (query.reach > 0.0) answer.distance = nearest(query);
+    answer.crosses = crosses(query);
+  };
+  timeAnswers(queries.size(), seconds, run, ask, [&](std::size_t) { return answer; });
+}
+
 }  // namespace palpate::bench

@@ -1,6 +1,6 @@
 // Threads make their own fingers, so that these lie where they work, and meet once, before the first tick. They share
 // the body, which is read-only.
-#include "lab/runs/servo_costs.h"
+#include "lab/runs/batch_run.h"
 
 #include <algorithm>
 #include <barrier>

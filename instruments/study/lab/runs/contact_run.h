@@ -9,8 +9,6 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "lab/counters/statistics.h"
@@ -19,7 +17,6 @@
 #include "lab/judges/surface_side.h"
 #include "palpate/contact/finger.h"
 #include "palpate/contact/surface.h"
-#include "palpate/contact/tool.h"
 #include "palpate/device/trajectory.h"
 #include "palpate/hdb/hdb_candidates.h"
 
@@ -93,8 +90,7 @@ ContactFigures computeFigures(ContactWorld& world, const FingerRun& run, const c
 /// The tips in the world's units.
 std::vector<Vec3> scaledTips(const device::Trajectory& ticks, double scale);
 
-// Runs a finger of the HDB source along a benchmark path, to be compared with the default source.
-
+/// For a finger of the HDB source along a benchmark path, to be compared with the default source.
 struct HdbRunSettings {
   hdb::BuildSettings build;
   double edge_mm = 0.0;  ///< edge of the box; 0: a quarter of the longest edge
@@ -112,42 +108,5 @@ struct HdbFigures {
 /// In a world of scale 1. Throws Error for settings that do not go together.
 HdbFigures measureHdb(ContactWorld& world, const device::Trajectory& trajectory, const contact::FingerSettings& finger,
                       const HdbRunSettings& settings, const Window& window = {});
-
-// Runs a tool of several pads along a trajectory and, on the same tips, a finger alone for each pad: what the tool
-// costs against its pads alone, and whether they feel the same.
-//
-// Every part follows the trajectory of one finger, a stretch of time after the part before it, so that parts lie apart
-// and all are pressed as deep as that finger; each is turned so that its z points out of the skin under it.
-
-struct ToolFigures {
-  std::size_t triangles = 0, pads = 0, parts = 0, groups = 0;
-  std::size_t ticks = 0;      ///< in the window
-  std::size_t all_touch = 0;  ///< with every pad in contact
-  lab::Percentiles tick_us;   ///< over the ticks in which every pad touches; over all where there are none
-  lab::Percentiles any_tick_us;
-  lab::Percentiles air_tick_us;    ///< the same path, lifted clear of the skin
-  lab::Percentiles apart_tick_us;  ///< a finger alone for each pad, one after the other; the same ticks as tick_us
-  std::size_t different = 0;       ///< pads and ticks in which a pad did not feel what its finger did, to the bit
-  contact::Wrench wrench;          ///< with the largest force, about the first part's origin
-  double peak_moment_n_mm = 0.0;
-  lab::ThreadCounts counts;  ///< over all ticks of the tool
-};
-
-/// The tools that can be measured.
-std::vector<std::string> toolNames();
-
-/// Throws Error for another name.
-contact::ToolShape toolNamed(std::string_view name);
-
-/// The same way, but on the skin instead of in it: each part is moved as far as its pads come out of the skin on
-/// average. All parts of a tick, then those of the next. The radius of `finger` is ignored.
-std::vector<contact::ToolPose> posesOnSkin(const ContactWorld& world, const device::Trajectory& trajectory,
-                                           const contact::ToolShape& shape, const contact::FingerSettings& finger,
-                                           const Window& window = {});
-
-/// In a world of scale 1. The radius of `finger` is ignored.
-ToolFigures measureTool(const ContactWorld& world, const device::Trajectory& trajectory,
-                        const contact::ToolShape& shape, const contact::FingerSettings& finger,
-                        const Window& window = {});
 
 }  // namespace palpate::bench

@@ -124,7 +124,7 @@ class TimedPad {
 
 }  // namespace
 
-LumpCosts measureLumpCosts(double seconds, const Progress& progress) {
+Json measureLumpCosts(double seconds, const Progress& progress) {
   const LumpSlide slide = slideOverBack();
   const tissue::LumpPlace place = tissue::libraryPlaceAt(40.0, 8.0);
   const contact::PressureGround ground({{40.0, tissue::PressureForm(place.fields)}});
@@ -136,8 +136,8 @@ LumpCosts measureLumpCosts(double seconds, const Progress& progress) {
 
   constexpr double kLong = std::numeric_limits<double>::max();
   double bare = kLong, with_one = kLong, with_eight = kLong, with_mobile = kLong, with_pad = kLong;
-  LumpCosts costs;
-  costs.field_4_us = costs.field_8_us = costs.field_16_us = costs.field_4_of_eight_us = kLong;
+  double field_4 = kLong, field_8 = kLong, field_16 = kLong, field_4_of_eight = kLong;
+  std::size_t rounds = 0;
   double sum = 0.0;
   const auto add = [&sum](const contact::FingerOutput& felt) { sum += felt.force.z(); };
   const auto add_pad = [&](const contact::FingerOutput& felt) { sum += felt.force.z() + four_of_eight.of(felt); };
@@ -149,20 +149,24 @@ LumpCosts measureLumpCosts(double seconds, const Progress& progress) {
     updateShortest(with_eight, eight_finger.block(add));
     updateShortest(with_mobile, mobile_finger.block(add));
     updateShortest(with_pad, eight_finger.block(add_pad));
-    updateShortest(costs.field_4_us, four.block(one_finger.felt(), sum));
-    updateShortest(costs.field_8_us, nine.block(one_finger.felt(), sum));
-    updateShortest(costs.field_16_us, sixteen.block(one_finger.felt(), sum));
-    updateShortest(costs.field_4_of_eight_us, four_of_eight.block(eight_finger.felt(), sum));
-    ++costs.rounds;
+    updateShortest(field_4, four.block(one_finger.felt(), sum));
+    updateShortest(field_8, nine.block(one_finger.felt(), sum));
+    updateShortest(field_16, sixteen.block(one_finger.felt(), sum));
+    updateShortest(field_4_of_eight, four_of_eight.block(eight_finger.felt(), sum));
+    ++rounds;
   } while (secondsSince(started) < seconds && sum < kLong);
-  costs.allocations = lab::countsSince(before).allocations;
+  const std::optional<std::uint64_t> allocations = lab::countsSince(before).allocations;
   report(progress, "timing lumps", 1.0);
-  costs.tick_us = bare;
-  costs.one_us = with_one - bare;
-  costs.eight_us = with_eight - bare;
-  costs.eight_mobile_us = with_mobile - bare;
-  costs.eight_and_pad_us = with_pad - bare;
-  return costs;
+  Json json;
+  json["tick_us"] = bare;
+  json["tick_extra_us"] = {{"1", with_one - bare},
+                           {"8", with_eight - bare},
+                           {"8_mobile", with_mobile - bare},
+                           {"8_and_pad_4", with_pad - bare}};
+  json["field_us"] = {{"4", field_4}, {"8", field_8}, {"16", field_16}, {"4_of_8_lumps", field_4_of_eight}};
+  json["allocations"] = allocations ? Json(*allocations) : Json(nullptr);
+  json["rounds"] = rounds;
+  return json;
 }
 
 }  // namespace palpate::bench

@@ -166,9 +166,7 @@ PartitionFigures measurePartition(const mesh::TriangleMesh& mesh, const Partitio
 }
 
 std::vector<Box3> slidingBoxes(const mesh::TriangleMesh& mesh, const PartitionRun& run) {
-  Box3 bounds;
-  for (const Vec3& p : mesh.positions) bounds.extend(p);
-  const Vec3 edges = hdb::hdbEdges(bounds);
+  const Vec3 edges = hdb::hdbEdges(mesh::boundingBox(mesh));
   std::vector<Box3> boxes;
   for (const Vec3& proxy : slidingProxies(mesh, run)) boxes.push_back(hdb::hapticBox(proxy, edges));
   return boxes;

@@ -1,6 +1,6 @@
 // The hand-over is timed in blocks that alternate with blocks without it, on the same rig, while a writer takes the
 // samples out on another thread as it does for a hand. The long recording repeats the recorded ticks.
-#include "lab/runs/servo_costs.h"
+#include "lab/runs/recording_run.h"
 
 #include <algorithm>
 #include <atomic>
@@ -89,12 +89,13 @@ class Drain {
   std::thread thread_;
 };
 
-void measureHandOver(const scene::World& world, const device::FingerPaths& paths, const RecordingRunSettings& settings,
-                     RecordingRun& run) {
+/// Adds its costs; returns the number of samples that were dropped.
+std::uint64_t measureHandOver(const scene::World& world, const device::FingerPaths& paths,
+                              const RecordingRunSettings& settings, Json& json) {
   constexpr double kMeasuredS = 3.0;
   trace::RecordingWriter writer(settings.folder / "hand_over.session", engine::recordingHeader(world.scene.ticks_per_s),
                                 makeRecordingFingers(world));
-  servo::LoopLinks links(run.fingers, std::size_t{1} << 16, servo::kRecordCapacity);
+  servo::LoopLinks links(world.scene.fingers.size(), std::size_t{1} << 16, servo::kRecordCapacity);
   Ticks ticks(world, paths);
   std::vector<double> with;
   std::vector<double> without;
@@ -116,16 +117,18 @@ void measureHandOver(const scene::World& world, const device::FingerPaths& paths
       without.push_back(block(false));
     }
   }
-  run.dropped += links.record.dropped();
-  run.blocks = with.size();
-  run.tick_us = lab::computePercentiles(without).p50;
-  run.record_us_per_tick = lab::computePercentiles(with).p50 - run.tick_us;
+  const double tick_us = lab::computePercentiles(without).p50;
+  const double record_us = lab::computePercentiles(with).p50 - tick_us;
+  json["record_us_per_tick"] = record_us;
+  json["tick_us"] = tick_us;
+  json["record_ratio"] = record_us / tick_us;
+  json["blocks"] = with.size();
   writer.discard();
+  return links.record.dropped();
 }
 
-/// The newest time that a recording of these ticks ends at.
 void record(const scene::World& world, const device::FingerPaths& paths, const RecordingRunSettings& settings,
-            RecordingRun& run) {
+            Json& json) {
   const std::filesystem::path file = settings.folder / "short.session";
   const double rate = world.scene.ticks_per_s;
   const auto count = static_cast<std::uint64_t>(settings.seconds * rate);
@@ -143,14 +146,14 @@ void record(const scene::World& world, const device::FingerPaths& paths, const R
   writer.finish("done");
   written_s += secondsSince(start);
   const auto bytes = static_cast<double>(std::filesystem::file_size(file));
-  run.bytes_per_tick = bytes / static_cast<double>(count);
-  run.write_mb_per_s = 1e-6 * bytes / settings.seconds;
-  run.write_times_real_time = settings.seconds / written_s;
+  json["bytes_per_tick"] = bytes / static_cast<double>(count);
+  json["write_mb_per_s"] = 1e-6 * bytes / settings.seconds;  // of simulated time
+  json["write_times_real_time"] = settings.seconds / written_s;
   trace::RecordingReader recording(file);
   const auto replaying = Clock::now();
   const engine::ReplayReport report = engine::replay(recording);
-  run.replay_times_real_time = settings.seconds / (secondsSince(replaying) - report.build_s);
-  run.identical = report.identical();
+  json["replay_times_real_time"] = settings.seconds / (secondsSince(replaying) - report.build_s);
+  json["identical"] = report.identical();
 }
 
 /// A recording of the long kind: the same part again and again, at its own time.
@@ -175,35 +178,38 @@ void writeLong(const scene::World& world, const RecordingRunSettings& settings, 
   writer.finish("done");
 }
 
-void measureSearch(const RecordingRunSettings& settings, RecordingRun& run) {
+void measureSearch(const RecordingRunSettings& settings, Json& json) {
   constexpr int kSearches = 20;
   const std::filesystem::path file = settings.folder / "long.session";
-  run.long_hours = settings.long_hours;
-  run.long_mb = 1e-6 * static_cast<double>(std::filesystem::file_size(file));
+  json["long_hours"] = settings.long_hours;
+  json["long_mb"] = 1e-6 * static_cast<double>(std::filesystem::file_size(file));
   Random random(1);
+  double open_s = 0.0, seek_s = 0.0;
   for (int i = 0; i < kSearches; ++i) {
     const auto start = Clock::now();
     trace::RecordingReader recording(file);
-    run.open_s = std::max(run.open_s, secondsSince(start));
+    open_s = std::max(open_s, secondsSince(start));
     const auto from = static_cast<std::uint64_t>(random.uniform() * static_cast<double>(recording.facts().last_tick));
     recording.forEachTick({from}, [](auto) { return false; });
-    run.seek_s = std::max(run.seek_s, secondsSince(start));
+    seek_s = std::max(seek_s, secondsSince(start));
   }
+  json["open_s"] = open_s;
+  json["seek_s"] = seek_s;
 }
 
 }  // namespace
 
-RecordingRun measureRecording(const scene::World& world, const device::FingerPaths& paths,
-                              const RecordingRunSettings& settings, const Progress& progress) {
-  RecordingRun run;
-  run.fingers = world.scene.fingers.size();
+Json measureRecording(const scene::World& world, const device::FingerPaths& paths, const RecordingRunSettings& settings,
+                      const Progress& progress) {
+  Json json = {{"fingers", world.scene.fingers.size()}};
   report(progress, "handing ticks over", 0.0);
-  measureHandOver(world, paths, settings, run);
+  const std::uint64_t dropped = measureHandOver(world, paths, settings, json);
   report(progress, "recording and feeling again", 0.3);
-  record(world, paths, settings, run);
+  record(world, paths, settings, json);
   writeLong(world, settings, progress);
-  measureSearch(settings, run);
-  return run;
+  measureSearch(settings, json);
+  json["dropped"] = dropped;
+  return json;
 }
 
 }  // namespace palpate::bench

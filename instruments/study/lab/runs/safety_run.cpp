@@ -1,4 +1,4 @@
-#include "lab/runs/servo_costs.h"
+#include "lab/runs/safety_run.h"
 
 #include <algorithm>
 #include <vector>

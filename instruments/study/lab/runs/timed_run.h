@@ -1,4 +1,4 @@
-// Steps a finger along its tips and times each step, with nothing else in the loop.
+// Times each tick of a run, with nothing else in the loop.
 #pragma once
 
 #include <algorithm>
@@ -25,20 +25,26 @@ inline double emptyTimerMicroseconds() {
 
 }  // namespace detail
 
+/// Calls `tick(k)` once for each of the times, which it sets, and counts over all of them.
+template <class Tick>
+lab::ThreadCounts timeTicks(std::vector<double>& us, Tick&& tick) {
+  const double empty_us = detail::emptyTimerMicroseconds();
+  const lab::ThreadCounts before = lab::countsOfThisThread();
+  for (std::size_t k = 0; k < us.size(); ++k) {
+    const Clock::time_point start = Clock::now();
+    tick(k);
+    us[k] = std::max(0.0, microsecondsSince(start) - empty_us);
+  }
+  return lab::countsSince(before);
+}
+
 /// `step` takes a tip and gives a FingerOutput.
 template <class Step>
 FingerRun timedRun(std::span<const Vec3> tips, Step&& step) {
-  const double empty_us = detail::emptyTimerMicroseconds();
   FingerRun run;
   run.outputs.resize(tips.size());
   run.tick_us.resize(tips.size());
-  const lab::ThreadCounts before = lab::countsOfThisThread();
-  for (std::size_t k = 0; k < tips.size(); ++k) {
-    const Clock::time_point start = Clock::now();
-    run.outputs[k] = step(tips[k]);
-    run.tick_us[k] = std::max(0.0, microsecondsSince(start) - empty_us);
-  }
-  run.counts = lab::countsSince(before);
+  run.counts = timeTicks(run.tick_us, [&](std::size_t k) { run.outputs[k] = step(tips[k]); });
   return run;
 }
 

@@ -1,9 +1,11 @@
 // Tool and fingers run in passes of their own, each timed tick by tick with nothing else in the loop.
+#include "lab/runs/tool_run.h"
+
 #include <algorithm>
 #include <span>
 #include <utility>
 
-#include "lab/runs/contact_run.h"
+#include "lab/counters/figures_json.h"
 #include "lab/runs/timed_run.h"
 #include "palpate/base/error.h"
 #include "palpate/contact/surface_walk.h"
@@ -73,19 +75,6 @@ class Poses {
   std::vector<contact::ToolPose> poses_;
 };
 
-/// One call a tick, timed.
-template <class Tick>
-lab::ThreadCounts timeTicks(std::vector<double>& us, Tick&& tick) {
-  const double empty_us = detail::emptyTimerMicroseconds();
-  const lab::ThreadCounts before = lab::countsOfThisThread();
-  for (std::size_t k = 0; k < us.size(); ++k) {
-    const Clock::time_point start = Clock::now();
-    tick(k);
-    us[k] = std::max(0.0, microsecondsSince(start) - empty_us);
-  }
-  return lab::countsSince(before);
-}
-
 /// Result of a pass of the tool. Outputs of every pad in every tick would be too many.
 struct ToolPass {
   std::vector<double> us;
@@ -147,6 +136,8 @@ std::size_t countDifferences(const ContactWorld& world, const contact::ToolShape
   return different;
 }
 
+Json toJson(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
 /// From where the pads of a part are to where they rest, on average.
 Vec3 wayOut(const contact::ToolShape& shape, const contact::ToolState& state, std::size_t part) {
   Vec3 sum = Vec3::Zero();
@@ -194,40 +185,49 @@ std::vector<contact::ToolPose> posesOnSkin(const ContactWorld& world, const devi
   return wanted;
 }
 
-ToolFigures measureTool(const ContactWorld& world, const device::Trajectory& trajectory,
-                        const contact::ToolShape& shape, const contact::FingerSettings& finger, const Window& window) {
+Json measureTool(const ContactWorld& world, const device::Trajectory& trajectory, const contact::ToolShape& shape,
+                 const contact::FingerSettings& finger, const Window& window) {
   contact::check(finger);
   const device::Trajectory ticks = device::resampled(trajectory, finger.tick_s);
   Poses poses(world, ticks.tip_mm, finger.tick_s, shape.rest.size());
   (void)timeToolPass(world, shape, finger, poses);  // warm-up: finds every page of code and surface
   const ToolPass pass = timeToolPass(world, shape, finger, poses);
   const std::vector<double> apart = timeSeparateFingers(world, shape, finger, poses);
-  ToolFigures figures;
-  figures.triangles = world.triangles;
-  figures.pads = shape.pads.size();
-  figures.parts = shape.rest.size();
-  figures.groups = contact::makeToolState(shape, world.surface).groups.size();
-  figures.counts = pass.counts;
-  figures.different = countDifferences(world, shape, finger, poses);
+  contact::Wrench largest;
+  double peak_moment_n_mm = 0.0;
   std::vector<double> all_us, any_us, apart_us;
   for (std::size_t k = 0; k < poses.ticks(); ++k) {
     if (ticks.time_s[k] < window.from_s || ticks.time_s[k] >= window.until_s) continue;
-    ++figures.ticks;
     any_us.push_back(pass.us[k]);
     const contact::Wrench& wrench = pass.wrenches[k];
-    if (wrench.force_n.norm() > figures.wrench.force_n.norm()) figures.wrench = wrench;
-    figures.peak_moment_n_mm = std::max(figures.peak_moment_n_mm, wrench.moment_n_mm.norm());
+    if (wrench.force_n.norm() > largest.force_n.norm()) largest = wrench;
+    peak_moment_n_mm = std::max(peak_moment_n_mm, wrench.moment_n_mm.norm());
     if (pass.touching[k] < shape.pads.size()) continue;
-    ++figures.all_touch;
     all_us.push_back(pass.us[k]);
     apart_us.push_back(apart[k]);
   }
-  figures.tick_us = lab::computePercentiles(all_us.empty() ? any_us : all_us);
-  figures.apart_tick_us = lab::computePercentiles(all_us.empty() ? apart : apart_us);
-  figures.any_tick_us = lab::computePercentiles(std::move(any_us));
+  const lab::Percentiles tick_us = lab::computePercentiles(all_us.empty() ? any_us : all_us);
+  const lab::Percentiles apart_tick_us = lab::computePercentiles(all_us.empty() ? apart : apart_us);
+  Json json;
+  json["triangles"] = world.triangles;
+  json["pads"] = shape.pads.size();
+  json["parts"] = shape.rest.size();
+  json["groups"] = contact::makeToolState(shape, world.surface).groups.size();
+  json["ticks"] = any_us.size();
+  json["all_touch_ticks"] = all_us.size();
+  json["tick_us"] = percentilesJson(tick_us);
+  json["any_tick_us"] = percentilesJson(lab::computePercentiles(std::move(any_us)));
+  json["different"] = countDifferences(world, shape, finger, poses);
   poses.lift(world.surface.geometry->tree.diagonal);
-  figures.air_tick_us = lab::computePercentiles(timeToolPass(world, shape, finger, poses).us);
-  return figures;
+  json["air_tick_us"] = percentilesJson(lab::computePercentiles(timeToolPass(world, shape, finger, poses).us));
+  json["apart_tick_us"] = percentilesJson(apart_tick_us);
+  json["ratio_to_apart"] = apart_tick_us.p50 > 0.0 ? tick_us.p50 / apart_tick_us.p50 : 0.0;
+  json["wrench"] = {{"about_mm", toJson(largest.point)},
+                    {"force_n", toJson(largest.force_n)},
+                    {"moment_n_mm", toJson(largest.moment_n_mm)},
+                    {"peak_moment_n_mm", peak_moment_n_mm}};
+  addCounts(json, pass.counts);
+  return json;
 }
 
 }  // namespace palpate::bench

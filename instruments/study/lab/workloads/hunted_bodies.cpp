@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "lab/workloads/heldout_meshes.h"
+#include "lab/workloads/hunted_shapes.h"
 #include "lab/workloads/workload_meshes.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/decimate.h"

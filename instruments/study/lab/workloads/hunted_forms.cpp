@@ -1,7 +1,7 @@
 // One function a form: unions of primitives with others cut out. Parts thinner than a cell get holes or are lost in
 // meshing: that too is a body. Data flow: random numbers -> here -> hunted_shapes.cpp. The distances are those of
 // body/signed_distance.h.
-#include "lab/workloads/hunted_bodies.h"
+#include "lab/workloads/hunted_shapes.h"
 
 #include <algorithm>
 #include <array>

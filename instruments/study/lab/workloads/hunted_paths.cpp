@@ -18,11 +18,6 @@
 namespace palpate::lab {
 namespace {
 
-// Writes the ticks of one hunted path: knows where the tip is, continues from there, and finds places on the skin by
-// the oracle's own geometry.
-//
-// Places are found on random triangles, not on random area: small triangles are where trouble is.
-
 /// In one tick.
 constexpr double kLongestJumpMm = 30.0;
 
@@ -34,7 +29,8 @@ struct SkinSpot {
   Index triangle;
 };
 
-/// Writes ticks of one path.
+/// Writes the ticks of one hunted path: knows where the tip is, continues from there, and finds places on the skin by
+/// the oracle's own geometry: on random triangles, not on random area, for small triangles are where trouble is.
 class PathWriter {
  public:
   PathWriter(OracleBody& on, const HuntedPathSettings& settings)

@@ -1,6 +1,6 @@
 // One mesher for every form: on a lattice of random place and size, evened out or made coarser at random.
 // Data flow: name and random numbers -> hunted_forms.cpp -> body::meshZeroSurface -> here -> hunted_bodies.h.
-#include "lab/workloads/hunted_bodies.h"
+#include "lab/workloads/hunted_shapes.h"
 
 #include <fmt/format.h>
 

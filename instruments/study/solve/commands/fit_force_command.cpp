@@ -25,10 +25,9 @@ namespace palpate::app {
 
 namespace {
 
-// Measured forces and the laws that were fitted to them, as a picture.
-
 using figures::Plot;
 using figures::Series;
+using tissue::ForceCurve;
 using tissue::ForceFit;
 using tissue::ForceForm;
 
@@ -162,10 +161,6 @@ figures::Figure forceFitFigure(const ForceResult& result) {
       "Percentages are of max(force, 0.3 of the largest); in the legend their RMS. The chosen form is drawn through.";
   return figure;
 }
-
-using tissue::ForceCurve;
-using tissue::ForceFit;
-using tissue::ForceForm;
 
 /// Value of --form: a form, or the one that predicts unseen rows best.
 constexpr const char* kBestWord = "best";

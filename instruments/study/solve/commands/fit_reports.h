@@ -12,7 +12,8 @@
 
 namespace palpate::app {
 
-// Results of `palpate tissue fit force`, for people and for programs.
+/// {value, standard_error, at_end} by name.
+Json numbersJson(const std::vector<tissue::FittedNumber>& numbers);
 
 /// Every form on one curve; the fits in the order of kForceForms.
 struct FittedCurve {
@@ -35,13 +36,8 @@ struct ForceResult {
 
 const tissue::ForceFit& findFit(const std::vector<tissue::ForceFit>& fits, tissue::ForceForm form);
 
-/// Lines for a scene file; the table's name is needed where the engine has no law of this form.
-std::string sceneKeys(const ForceResult& result);
-
 std::string textOf(const ForceResult& result);
 Json toJson(const ForceResult& result);
-
-// Results of `palpate tissue fit profile`, for people and for programs, and as a picture.
 
 struct ProfileResult {
   std::string file;

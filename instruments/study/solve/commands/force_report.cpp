@@ -94,8 +94,7 @@ Json numberJson(const FittedNumber& number) {
 
 Json fitJson(const ForceFit& fit) {
   Json json = {{"form", nameOf(fit.form)}, {"secant_n_per_mm", numberJson(fit.secant)}};
-  json["numbers"] = Json::object();
-  for (const FittedNumber& number : fit.numbers) json["numbers"][std::string(number.name)] = numberJson(number);
+  json["numbers"] = numbersJson(fit.numbers);
   json["offset_mm"] = numberJson(fit.offset);
   json["rms"] = fit.rms;
   json["unseen_rms"] = fit.unseen_rms;
@@ -123,12 +122,7 @@ Json spreadJson(const ForceResult& result) {
   return json;
 }
 
-}  // namespace
-
-const ForceFit& findFit(const std::vector<ForceFit>& fits, ForceForm form) {
-  return *std::ranges::find(fits, form, &ForceFit::form);
-}
-
+/// Lines for a scene file; the table's name is needed where the engine has no law of this form.
 std::string sceneKeys(const ForceResult& result) {
   const ForceFit& fit = findFit(result.fits(), result.chosen);
   std::string keys = "[tissue]\n";
@@ -148,6 +142,18 @@ std::string sceneKeys(const ForceResult& result) {
                         result.table.empty() ? "TABLE.csv (write it with -o)" : result.table);
   }
   return keys + fmt::format("\n[stiffness]\nsource = \"constant\"\nconstant_n_per_mm = {:.4g}\n", fit.secant.value);
+}
+
+}  // namespace
+
+Json numbersJson(const std::vector<FittedNumber>& numbers) {
+  Json json = Json::object();
+  for (const FittedNumber& number : numbers) json[number.name] = numberJson(number);
+  return json;
+}
+
+const ForceFit& findFit(const std::vector<ForceFit>& fits, ForceForm form) {
+  return *std::ranges::find(fits, form, &ForceFit::form);
 }
 
 std::string textOf(const ForceResult& result) {

@@ -33,13 +33,6 @@ Look lookOfTable(std::size_t i) {
           i < kColours ? figures::Stroke::solid : figures::Stroke::dashed};
 }
 
-/// From dark to light with the depth; the lightest of the map cannot be read on white.
-Look lookOfDepth(std::size_t i, std::size_t count) {
-  constexpr double kLightest = 0.85;
-  const double share = count < 2 ? 0.0 : static_cast<double>(i) / static_cast<double>(count - 1);
-  return {figures::mapColour(ColourMap::viridis, kLightest * share)};
-}
-
 /// A shape that is drawn.
 struct Drawn {
   std::string name;
@@ -57,19 +50,9 @@ Series makeSeries(const Drawn& drawn, const std::vector<double>& shares, double 
   return curve;
 }
 
-Plot downPanel(const std::vector<Drawn>& drawn, double to_radius_mm) {
-  Plot plot{.title = "the skin goes down",
-            .x = {.label = "distance from the axis at rest", .unit = "mm"},
-            .y = {.label = "height of the skin", .unit = "mm"}};
-  for (const Drawn& one : drawn) plot.series.push_back(makeSeries(one, one.shape.down, -1.0, to_radius_mm));
-  return plot;
-}
-
-Plot outwardPanel(const std::vector<Drawn>& drawn, double to_radius_mm) {
-  Plot plot{.title = "the skin goes sideways",
-            .x = {.label = "distance from the axis at rest", .unit = "mm"},
-            .y = {.label = "away from the axis", .unit = "mm"}};
-  for (const Drawn& one : drawn) plot.series.push_back(makeSeries(one, one.shape.outward, 1.0, to_radius_mm));
+Plot shapePanel(Plot plot, const std::vector<Drawn>& drawn, std::vector<double> PressedShape::*shares, double sign,
+                double to_radius_mm) {
+  for (const Drawn& one : drawn) plot.series.push_back(makeSeries(one, one.shape.*shares, sign, to_radius_mm));
   return plot;
 }
 
@@ -111,13 +94,20 @@ Plot widthPanel(const std::vector<NamedTable>& tables) {
                     });
 }
 
+/// The deepest that all tables reach.
+double sharedDepth(const std::vector<NamedTable>& tables) {
+  double depth = tables.front().table.shapes.back().depth_mm;
+  for (const NamedTable& one : tables) depth = std::min(depth, one.table.shapes.back().depth_mm);
+  return depth;
+}
+
 std::vector<Drawn> listDrawnShapes(const std::vector<NamedTable>& tables, const LayeredFigureSettings& settings) {
   std::vector<Drawn> drawn;
   if (tables.size() == 1 && !settings.depth_mm) {
     const LayeredTable& table = tables.front().table;
     for (std::size_t i = 0; i < table.shapes.size(); ++i) {
       const PressedShape& shape = table.shapes[i];
-      drawn.push_back({fmt::format("{:.4g} mm", shape.depth_mm), &table, shape, lookOfDepth(i, table.shapes.size())});
+      drawn.push_back({fmt::format("{:.4g} mm", shape.depth_mm), &table, shape, {depthColour(i, table.shapes.size())}});
     }
     return drawn;
   }
@@ -142,10 +132,22 @@ std::string makeFigureNote(const std::vector<NamedTable>& tables, const std::vec
 
 }  // namespace
 
-double sharedDepth(const std::vector<NamedTable>& tables) {
-  double depth = tables.front().table.shapes.back().depth_mm;
-  for (const NamedTable& one : tables) depth = std::min(depth, one.table.shapes.back().depth_mm);
-  return depth;
+Plot skinDownPlot() {
+  return {.title = "the skin goes down",
+          .x = {.label = "distance from the axis at rest", .unit = "mm"},
+          .y = {.label = "height of the skin", .unit = "mm"}};
+}
+
+Plot skinSidewaysPlot() {
+  return {.title = "the skin goes sideways",
+          .x = {.label = "distance from the axis at rest", .unit = "mm"},
+          .y = {.label = "away from the axis", .unit = "mm"}};
+}
+
+figures::Colour depthColour(std::size_t i, std::size_t count) {
+  constexpr double kLightest = 0.85;
+  const double share = count < 2 ? 0.0 : static_cast<double>(i) / static_cast<double>(count - 1);
+  return figures::mapColour(ColourMap::viridis, kLightest * share);
 }
 
 figures::Figure layeredFigure(const std::vector<NamedTable>& tables, const LayeredFigureSettings& settings) {
@@ -153,7 +155,8 @@ figures::Figure layeredFigure(const std::vector<NamedTable>& tables, const Layer
   figures::Figure figure;
   figure.title = settings.title;
   figure.columns = 2;
-  figure.panels = {downPanel(drawn, settings.to_radius_mm), outwardPanel(drawn, settings.to_radius_mm),
+  figure.panels = {shapePanel(skinDownPlot(), drawn, &PressedShape::down, -1.0, settings.to_radius_mm),
+                   shapePanel(skinSidewaysPlot(), drawn, &PressedShape::outward, 1.0, settings.to_radius_mm),
                    forcePanel(tables), widthPanel(tables)};
   figure.note = makeFigureNote(tables, drawn);
   return figure;

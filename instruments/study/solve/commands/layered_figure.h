@@ -21,8 +21,12 @@ struct LayeredFigureSettings {
   double to_radius_mm = 60.0;
 };
 
-/// The deepest that all tables reach.
-double sharedDepth(const std::vector<NamedTable>& tables);
+/// Plots over the distance from the axis at rest: the skin's height, and its way outwards.
+figures::Plot skinDownPlot();
+figures::Plot skinSidewaysPlot();
+
+/// Of a depth among `count` that increase, from dark to light; the lightest of the map cannot be read on white.
+figures::Colour depthColour(std::size_t i, std::size_t count);
 
 /// One table: its shapes by depth. Several: all of them at one depth, and their forces by depth.
 figures::Figure layeredFigure(const std::vector<NamedTable>& tables, const LayeredFigureSettings& settings);

@@ -74,23 +74,28 @@ LayeredNode solvedNode(double thickness_mm, double share, const Progress& progre
   return tissue::nodeOf(solution.table);
 }
 
-/// Thickness by thickness, share by share.
-std::vector<LayeredNode> solvedNodes(const Progress& progress) {
-  const std::size_t count = kThicknessesMm.size() * kFatShares.size();
-  std::vector<LayeredNode> nodes(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double thickness = kThicknessesMm[i / kFatShares.size()];
-    const double share = kFatShares[i % kFatShares.size()];
-    nodes[i] = solvedNode(thickness, share, [&](std::string_view, double done) {
-      report(progress, "solving the library", (static_cast<double>(i) + done) / static_cast<double>(count));
-    });
+/// Visits the stacks, thickness by thickness, share by share; `part` is the progress of one.
+void forEachStack(const Progress& progress, const char* stage,
+                  const std::function<void(double thickness_mm, double share, const Progress& part)>& visit) {
+  const auto count = static_cast<double>(kThicknessesMm.size() * kFatShares.size());
+  double done = 0.0;
+  for (const double thickness : kThicknessesMm) {
+    for (const double share : kFatShares) {
+      const Progress part = [&](std::string_view, double of_stack) {
+        report(progress, stage, (done + of_stack) / count);
+      };
+      report(part, stage, 0.0);
+      visit(thickness, share, part);
+      done += 1.0;
+    }
   }
-  return nodes;
 }
 
-std::string libraryText(const std::vector<LayeredNode>& nodes) {
+std::string libraryText(const Progress& progress) {
   std::string rows;
-  for (const LayeredNode& node : nodes) rows += numberRow(tissue::libraryNumbers(node));
+  forEachStack(progress, "solving the library", [&](double thickness, double share, const Progress& part) {
+    rows += numberRow(tissue::libraryNumbers(solvedNode(thickness, share, part)));
+  });
   return "# Made by `palpate tissue library --solve`; layered_library.cpp says what stands where.\n" +
          numberTable("double[] kThicknessesMm", numberRow(kThicknessesMm)) +
          numberTable("double[] kFatShares", numberRow(kFatShares)) + numberTable("double[] kNodes", rows);
@@ -100,15 +105,11 @@ std::string libraryText(const std::vector<LayeredNode>& nodes) {
 std::string fingersText(const Progress& progress) {
   std::vector<double> radii;
   std::string rows;
-  const std::size_t count = kThicknessesMm.size() * kFatShares.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    report(progress, "solving the fingers", static_cast<double>(i) / static_cast<double>(count));
-    const double thickness = kThicknessesMm[i / kFatShares.size()];
-    const tissue::LayerStack stack = tissue::libraryStack(thickness, kFatShares[i % kFatShares.size()]);
+  forEachStack(progress, "solving the fingers", [&](double thickness, double share, const Progress&) {
     elements::PressSettings press;
     press.depths_mm = depthsOver(thickness);
     radii.clear();
-    for (const tissue::FingerForces& finger : elements::solveFingers(stack, press)) {
+    for (const tissue::FingerForces& finger : elements::solveFingers(tissue::libraryStack(thickness, share), press)) {
       std::vector<double> numbers = {0.0};
       for (std::size_t d = 0; d < finger.depths_mm.size() && finger.depths_mm[d] == kDepthsMm[d]; ++d) {
         numbers.push_back(finger.force_n[d]);
@@ -117,7 +118,7 @@ std::string fingersText(const Progress& progress) {
       rows += numberRow(numbers);
       radii.push_back(finger.radius_mm);
     }
-  }
+  });
   return "# Made by `palpate tissue library --solve --fingers`; layered_library.cpp says what stands where.\n" +
          numberTable("double[] kFingerRadiiMm", numberRow(radii)) +
          numberTable("double[] kFingerDepthsMm", numberRow(kDepthsMm)) + numberTable("double[] kFingerForces", rows);
@@ -182,17 +183,13 @@ std::string fieldsText(const Progress& progress) {
   std::string sizes;
   std::string patterns;
   std::string rows;
-  const std::size_t count = kThicknessesMm.size() * kFatShares.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    report(progress, "solving the fields", static_cast<double>(i) / static_cast<double>(count));
-    const double thickness = kThicknessesMm[i / kFatShares.size()];
+  forEachStack(progress, "solving the fields", [&](double thickness, double share, const Progress&) {
     elements::PressSettings press;
     press.fineness = kFineness;
     press.field_depths_mm = elements::fieldDepths((1.0 - kClosestToBone) * thickness);
     std::erase_if(press.field_depths_mm, [](double depth) { return depth > kDepthsMm.back(); });
     press.depths_mm = {press.field_depths_mm.back()};
-    const elements::PressSolution solution =
-        elements::solvePress(tissue::libraryStack(thickness, kFatShares[i % kFatShares.size()]), press);
+    const elements::PressSolution solution = elements::solvePress(tissue::libraryStack(thickness, share), press);
     if (!solution.table.field) throw Error(fmt::format("{} mm: {}", thickness, solution.stopped_by));
     const tissue::PressField& field = *solution.table.field;
     radii = field.radii_mm;
@@ -201,7 +198,7 @@ std::string fieldsText(const Progress& progress) {
       patterns += fmt::format("{:.4g}, {:.3g}\n", pattern.contact_radius_mm, pattern.exponent);
     }
     rows += formatPackedRows(field);
-  }
+  });
   return "# Made by `palpate tissue library --solve --field`; library_fields.cpp says what stands where.\n" +
          numberTable("double[] kFieldRadiiMm", numberRow(radii)) +
          numberTable("double[] kFieldDepthsMm", numberRow(all_depths)) +
@@ -210,31 +207,19 @@ std::string fieldsText(const Progress& progress) {
          numberTable("# depth_mm, layer, shear_scale, volume_scale, shear, volume\nShippedRow[] kFieldRows", rows);
 }
 
-void solveDrags(const LibraryArguments& arguments) {
-  if (arguments.output.empty()) throw Error("--drag needs -o FILE");
-  ProgressLine progress;
+void solveLibrary(const LibraryArguments& arguments) {
+  if (arguments.output.empty()) throw Error(arguments.drag ? "--drag needs -o FILE" : "--solve needs -o FILE");
   OutputFile file(arguments.output);
-  file.write(dragText(progress.callback()));
+  ProgressLine progress;
+  const auto text = arguments.drag      ? dragText
+                    : arguments.field   ? fieldsText
+                    : arguments.fingers ? fingersText
+                                        : libraryText;
+  file.write(text(progress.callback()));
   file.commit();
   progress.clear();
-  fmt::print("-> {} ({} stacks)\n", arguments.output, tissue::kSolvedStacks.size());
-}
-
-void solveLibrary(const LibraryArguments& arguments) {
-  if (arguments.output.empty()) throw Error("--solve needs -o FILE");
-  std::string text;
-  {
-    ProgressLine progress;
-    if (arguments.field) {
-      text = fieldsText(progress.callback());
-    } else {
-      text = arguments.fingers ? fingersText(progress.callback()) : libraryText(solvedNodes(progress.callback()));
-    }
-  }
-  OutputFile file(arguments.output);
-  file.write(text);
-  file.commit();
-  fmt::print("-> {} ({} stacks)\n", arguments.output, kThicknessesMm.size() * kFatShares.size());
+  fmt::print("-> {} ({} stacks)\n", arguments.output,
+             arguments.drag ? tissue::kSolvedStacks.size() : kThicknessesMm.size() * kFatShares.size());
 }
 
 void listLibrary(const LibraryArguments& arguments) {
@@ -267,10 +252,8 @@ void listLibrary(const LibraryArguments& arguments) {
 
 void addTissueLibraryCommand(Command& parent) {
   const auto [command, a] = addCommand<LibraryArguments>(
-      parent, "library", "The solved stacks that a body's places are blended from", [](const LibraryArguments& given) {
-        if (given.drag) return solveDrags(given);
-        given.solve ? solveLibrary(given) : listLibrary(given);
-      });
+      parent, "library", "The solved stacks that a body's places are blended from",
+      [](const LibraryArguments& given) { given.solve ? solveLibrary(given) : listLibrary(given); });
   addSetting(command, "--fat-mm", a.fat_mm, between(0.5, 60.0, "mm"), "Thickness of the fat between skin and muscle");
   addSetting(command, "--finger-radius-mm", a.finger_mm, between(1.0, 24.0, "mm"), "Radius of the pressing finger");
   Option& solve =

@@ -18,6 +18,20 @@ using lab::LimbModel;
 using lab::LivingFigures;
 using lab::LivingTest;
 
+/// People with odd numbers, whom the limb's muscles were fitted to, and with even ones, whom nothing was fitted to.
+struct LivingHalves {
+  LivingFigures odd;
+  lab::LivingFigures even;
+};
+
+struct LivingReport {
+  std::size_t people = 0;
+  int left_out = 0;
+  LivingHalves body;          ///< LimbModel::body
+  LivingHalves limb;          ///< LimbModel::limb
+  LivingHalves relaxed_limb;  ///< LimbModel::relaxed_limb
+};
+
 /// The tests of one half, and the model's values for them.
 LivingFigures computeHalfFigures(const std::vector<LivingTest>& tests, const std::vector<double>& n_per_mm, int rest) {
   std::vector<LivingTest> half;
@@ -56,28 +70,6 @@ std::string figuresLine(const char* model, const char* half, const LivingFigures
     line += fmt::format("{:>14}", cover.tests == 0 ? "-" : fmt::format("{:.2f} ({})", cover.ratio, cover.tests));
   }
   return line + "\n";
-}
-
-}  // namespace
-
-LivingReport judgeLiving(const std::filesystem::path& list_or_folder, const Progress& progress) {
-  const lab::LivingTests living = lab::readLivingTests(list_or_folder);
-  LivingReport result;
-  std::set<int> people;
-  for (const LivingTest& test : living.tests) people.insert(test.person);
-  result.people = people.size();
-  result.left_out = living.left_out;
-  double done = 0.0;
-  for (const auto& [model, halves] :
-       {std::pair{LimbModel::body, &result.body}, std::pair{LimbModel::limb, &result.limb},
-        std::pair{LimbModel::relaxed_limb, &result.relaxed_limb}}) {
-    const auto third = [&](std::string_view stage, double share) { report(progress, stage, done + share / 3.0); };
-    const std::vector<double> n_per_mm = lab::probeStiffnesses(living.tests, model, third);
-    halves->odd = computeHalfFigures(living.tests, n_per_mm, 1);
-    halves->even = computeHalfFigures(living.tests, n_per_mm, 0);
-    done += 1.0 / 3.0;
-  }
-  return result;
 }
 
 Json livingJson(const LivingReport& living) {
@@ -119,6 +111,28 @@ std::string livingText(const LivingReport& living) {
       "body: default layers on a plane of bone; limb: the test's own skin, a round bone and the limb's free sides; "
       "relaxed limb:\nthe muscle of each site at rest, fitted to the odd people alone\n";
   return text;
+}
+
+}  // namespace
+
+std::pair<Json, std::string> judgeLiving(const std::filesystem::path& list_or_folder, const Progress& progress) {
+  const lab::LivingTests living = lab::readLivingTests(list_or_folder);
+  LivingReport result;
+  std::set<int> people;
+  for (const LivingTest& test : living.tests) people.insert(test.person);
+  result.people = people.size();
+  result.left_out = living.left_out;
+  double done = 0.0;
+  for (const auto& [model, halves] :
+       {std::pair{LimbModel::body, &result.body}, std::pair{LimbModel::limb, &result.limb},
+        std::pair{LimbModel::relaxed_limb, &result.relaxed_limb}}) {
+    const auto third = [&](std::string_view stage, double share) { report(progress, stage, done + share / 3.0); };
+    const std::vector<double> n_per_mm = lab::probeStiffnesses(living.tests, model, third);
+    halves->odd = computeHalfFigures(living.tests, n_per_mm, 1);
+    halves->even = computeHalfFigures(living.tests, n_per_mm, 0);
+    done += 1.0 / 3.0;
+  }
+  return {livingJson(result), livingText(result)};
 }
 
 }  // namespace palpate::app

@@ -20,6 +20,7 @@
 #include "palpate/tissue/layered_tissue.h"
 #include "palpate/tissue/library_fields.h"
 #include "palpate/tissue/lump_energy.h"
+#include "report/page/figures_text.h"
 #include "solve/commands/commands.h"
 #include "solve/realism/lump_judge.h"
 
@@ -90,35 +91,6 @@ Json findingsJson(const lab::LumpFindings& findings) {
   return json;
 }
 
-std::string findingsText(const lab::LumpFindings& findings) {
-  std::string text =
-      fmt::format("{:<44}{:>8}{:>10}{:>9}\n", "worst errors, presses of 2 mm and more", "force", "pressure", "surface");
-  for (const lab::LumpFindings::One& one : findings.cases) {
-    text += fmt::format("{:<44}{:>6.2f} %{:>8.1f} %{:>7.2f} %\n", one.name, one.force_percent, one.pressure_percent,
-                        one.surface_percent);
-  }
-  text += fmt::format(
-      "force, of the total: mean {:.2f}, p90 {:.2f}, worst {:.2f} %; lumps to 12 mm: {:.2f}, {:.2f}, {:.2f} %\n",
-      findings.force.mean, findings.force.p90, findings.force.worst, findings.force_small.mean,
-      findings.force_small.p90, findings.force_small.worst);
-  text += fmt::format(
-      "extra force over the truth, to 14 mm: within 25 % in {:.1f}, within 10 % in {:.1f} % of {} presses\n",
-      100.0 * shareWithin(findings.extra_ratios, 0.75, 1.25), 100.0 * shareWithin(findings.extra_ratios, 0.9, 1.1),
-      findings.extra_ratios.size());
-  text += fmt::format(
-      "pressure, RMS of the peak: mean {:.2f}, p95 {:.2f}, worst {:.2f} %; over that without a bump {:.2f}\n",
-      findings.pressure.mean, findings.pressure.p95, findings.pressure.worst, findings.pressure_gain);
-  text += fmt::format("surface, RMS of the depth: to 12 mm {:.2f}, larger {:.2f} % at worst\n",
-                      findings.surface_small.worst, findings.surface_large.worst);
-  for (const lab::LumpFindings::Beside& beside : findings.beside) {
-    text += fmt::format("{:g} mm beside the lump ({}): extra force {:.1f} %, lateral force {:.4f} of the force off\n",
-                        beside.at_mm, beside.name, beside.ratio_percent, beside.lateral);
-  }
-  if (findings.field.count == 0) return text;
-  return text + fmt::format("field of the table: mean {:.2f}, worst {:.2f} % of the energy\n", findings.field.mean,
-                            findings.field.worst);
-}
-
 void runLumpCheck(const LumpCheckArguments& arguments) {
   if (arguments.cases.empty() == !arguments.seed)
     throw Error("lump check: expected either --cases FILE or --solve SEED");
@@ -128,7 +100,8 @@ void runLumpCheck(const LumpCheckArguments& arguments) {
                                    : lab::readLumpCases(arguments.cases);
   const lab::LumpFindings findings = lab::judgeLumps(cases, progress.callback());
   progress.clear();
-  fmt::print("{}", arguments.json ? jsonText(findingsJson(findings)) : findingsText(findings));
+  const Json json = findingsJson(findings);
+  fmt::print("{}", arguments.json ? jsonText(json) : study::figuresText(json));
 }
 
 // --- show

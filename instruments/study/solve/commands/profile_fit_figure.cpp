@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "solve/commands/fit_reports.h"
+#include "solve/commands/layered_figure.h"
 
 namespace palpate::app {
 
@@ -15,12 +16,6 @@ using tissue::ProfileFit;
 using tissue::SkinProfile;
 
 constexpr double kShownRadiusMm = 60.0;
-
-figures::Colour depthColour(std::size_t i, std::size_t count) {
-  constexpr double kLightest = 0.85;  // place on the map: lighter cannot be read on white
-  return figures::mapColour(ColourMap::viridis,
-                            count < 2 ? 0.0 : kLightest * static_cast<double>(i) / static_cast<double>(count - 1));
-}
 
 Series placesAt(const SkinProfile& profile, const std::vector<double>& values, double sign,
                 const figures::Colour& colour) {
@@ -46,28 +41,15 @@ Series fitLine(const ProfileFit& fit, const SkinProfile& profile, double sign, c
   return line;
 }
 
-Plot fittedDown(const ProfileResult& result) {
-  Plot plot{.title = "the skin goes down",
-            .x = {.label = "distance from the axis at rest", .unit = "mm"},
-            .y = {.label = "height of the skin", .unit = "mm"}};
+/// Measured places and fits, depth by depth.
+template <class Share>
+Plot fittedPlot(Plot plot, const ProfileResult& result, std::vector<double> SkinProfile::*measured, double sign,
+                const Share& share) {
   for (std::size_t i = 0; i < result.profiles.size(); ++i) {
     const SkinProfile& profile = result.profiles[i];
     const figures::Colour colour = depthColour(i, result.profiles.size());
-    plot.series.push_back(placesAt(profile, profile.down_mm, -1.0, colour));
-    plot.series.push_back(fitLine(result.chosenFit(i), profile, -1.0, colour, tissue::downShare));
-  }
-  return plot;
-}
-
-Plot fittedOutward(const ProfileResult& result) {
-  Plot plot{.title = "the skin goes sideways",
-            .x = {.label = "distance from the axis at rest", .unit = "mm"},
-            .y = {.label = "away from the axis", .unit = "mm"}};
-  for (std::size_t i = 0; i < result.profiles.size(); ++i) {
-    const SkinProfile& profile = result.profiles[i];
-    const figures::Colour colour = depthColour(i, result.profiles.size());
-    plot.series.push_back(placesAt(profile, profile.outward_mm, 1.0, colour));
-    plot.series.push_back(fitLine(result.chosenFit(i), profile, 1.0, colour, tissue::outwardShare));
+    plot.series.push_back(placesAt(profile, profile.*measured, sign, colour));
+    plot.series.push_back(fitLine(result.chosenFit(i), profile, sign, colour, share));
   }
   return plot;
 }
@@ -122,8 +104,11 @@ figures::Figure profileFitFigure(const ProfileResult& result) {
   figures::Figure figure;
   figure.title = fmt::format("{}: {}", result.file, nameOf(result.chosen));
   figure.columns = 2;
-  figure.panels.emplace_back(fittedDown(result));
-  if (!result.profiles.front().outward_mm.empty()) figure.panels.emplace_back(fittedOutward(result));
+  figure.panels.emplace_back(fittedPlot(skinDownPlot(), result, &SkinProfile::down_mm, -1.0, tissue::downShare));
+  if (!result.profiles.front().outward_mm.empty()) {
+    figure.panels.emplace_back(
+        fittedPlot(skinSidewaysPlot(), result, &SkinProfile::outward_mm, 1.0, tissue::outwardShare));
+  }
   figure.panels.emplace_back(formMisses(result));
   figure.panels.emplace_back(sharedCurve(result));
   figure.note = "Dots: measured. Misses are RMS over the area within 40 mm of the axis.";

@@ -87,11 +87,7 @@ Json profileFitJson(const ProfileFit& fit) {
                {"unseen_rms", fit.unseen_rms},
                {"vector_rms", orNull(fit.vector_rms)},
                {"largest_miss", fit.largest_miss}};
-  json["numbers"] = Json::object();
-  for (const FittedNumber& number : fit.numbers) {
-    json["numbers"][std::string(number.name)] = {
-        {"value", number.value}, {"standard_error", number.standard_error}, {"at_end", number.at_end}};
-  }
+  json["numbers"] = numbersJson(fit.numbers);
   if (fit.form != ProfileForm::measured) {
     json["outward_mm"] = fit.outward_mm;
     json["outward_width_mm"] = fit.outward_width_mm;

@@ -16,6 +16,24 @@ namespace palpate::app {
 
 namespace {
 
+/// One press of a sphere.
+struct RadiusPress {
+  std::string name;
+  double radius_mm = 0.0;
+  double depth_mm = 0.0;
+  double true_force_n = 0.0;  ///< by finite elements
+  double force_n = 0.0;       ///< felt by the finger
+  double fingertip_n = 0.0;   ///< would be felt by a fingertip of 8 mm: the force before the radius counted
+  double error() const { return force_n / true_force_n - 1.0; }
+};
+
+struct RadiusReport {
+  std::vector<RadiusPress> presses;
+  std::vector<std::string> left_out;  ///< where the solver finds no equilibrium
+  /// Fraction; of this radius, or of all (0).
+  double worst(double radius_mm = 0.0) const;
+};
+
 struct JudgedRadius {
   double radius_mm;
   std::vector<double> depths_mm;
@@ -27,6 +45,14 @@ const std::vector<JudgedRadius> kJudged = {
 std::optional<double> solvedForce(const tissue::LayeredTable& table, double depth_mm) {
   const auto found = std::ranges::find(table.shapes, depth_mm, &tissue::PressedShape::depth_mm);
   return found == table.shapes.end() ? std::nullopt : std::optional(found->force_n);
+}
+
+double RadiusReport::worst(double radius_mm) const {
+  double worst = 0.0;
+  for (const RadiusPress& press : presses) {
+    if (radius_mm == 0.0 || press.radius_mm == radius_mm) worst = std::max(worst, std::abs(press.error()));
+  }
+  return worst;
 }
 
 void judge(const lab::JudgedPlace& place, const scene::World& world, const JudgedRadius& judged, RadiusReport& report) {
@@ -44,48 +70,7 @@ void judge(const lab::JudgedPlace& place, const scene::World& world, const Judge
   }
 }
 
-}  // namespace
-
-double RadiusReport::worst(double radius_mm) const {
-  double worst = 0.0;
-  for (const RadiusPress& press : presses) {
-    if (radius_mm == 0.0 || press.radius_mm == radius_mm) worst = std::max(worst, std::abs(press.error()));
-  }
-  return worst;
-}
-
-RadiusReport judgeRadius(const Progress& progress) {
-  RadiusReport result;
-  const std::vector<lab::JudgedPlace> places = lab::placesOfBody();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const lab::JudgedPlace& place = places[i];
-    const double secant = place.tissue->secantAt(place.thickness_mm, tissue::kReferenceDepthMm);
-    const auto world = lab::flatWorld(scene::TissueModel::layered, place.tissue, place.thickness_mm, secant);
-    for (std::size_t j = 0; j < kJudged.size(); ++j) {
-      report(progress, "pressing " + place.name,
-             (static_cast<double>(i) + static_cast<double>(j) / static_cast<double>(kJudged.size())) /
-                 static_cast<double>(places.size()));
-      judge(place, *world, kJudged[j], result);
-    }
-  }
-  return result;
-}
-
-std::string radiusText(const RadiusReport& report) {
-  std::string text = fmt::format("  {:<20}{:>8}{:>9}{:>12}{:>10}{:>9}{:>24}\n", "stack", "finger", "depth", "elements",
-                                 "felt", "error", "as felt by one of 8 mm");
-  for (const RadiusPress& press : report.presses) {
-    text +=
-        fmt::format("  {:<20}{:>8}{:>9}{:>12}{:>10}{:>9}{:>24}\n", press.name, fmt::format("{:g} mm", press.radius_mm),
-                    fmt::format("{:g} mm", press.depth_mm), fmt::format("{:.3f} N", press.true_force_n),
-                    fmt::format("{:.3f} N", press.force_n), fmt::format("{:+.1f} %", 100.0 * press.error()),
-                    fmt::format("{:+.0f} %", 100.0 * (press.fingertip_n / press.true_force_n - 1.0)));
-  }
-  for (const std::string& name : report.left_out) text += "left out: " + name + "\n";
-  return text + fmt::format("worst of {} presses: {:.1f} %\n", report.presses.size(), 100.0 * report.worst());
-}
-
-Json radiusJson(const RadiusReport& report) {
+Json toJson(const RadiusReport& report) {
   Json json;
   json["force_error_percent_worst"] = 100.0 * report.worst();
   for (const JudgedRadius& judged : kJudged) {
@@ -101,11 +86,31 @@ Json radiusJson(const RadiusReport& report) {
                              {"depth_mm", press.depth_mm},
                              {"true_force_n", press.true_force_n},
                              {"force_n", press.force_n},
-                             {"force_error_percent", 100.0 * press.error()}});
+                             {"force_error_percent", 100.0 * press.error()},
+                             {"fingertip_n", press.fingertip_n}});
   }
   json["fingertip_error_percent_worst"] = 100.0 * fingertip;
   json["left_out"] = report.left_out;
   return json;
+}
+
+}  // namespace
+
+Json judgeRadius(const Progress& progress) {
+  RadiusReport result;
+  const std::vector<lab::JudgedPlace> places = lab::placesOfBody();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const lab::JudgedPlace& place = places[i];
+    const double secant = place.tissue->secantAt(place.thickness_mm, tissue::kReferenceDepthMm);
+    const auto world = lab::flatWorld(scene::TissueModel::layered, place.tissue, place.thickness_mm, secant);
+    for (std::size_t j = 0; j < kJudged.size(); ++j) {
+      report(progress, "pressing " + place.name,
+             (static_cast<double>(i) + static_cast<double>(j) / static_cast<double>(kJudged.size())) /
+                 static_cast<double>(places.size()));
+      judge(place, *world, kJudged[j], result);
+    }
+  }
+  return toJson(result);
 }
 
 }  // namespace palpate::app

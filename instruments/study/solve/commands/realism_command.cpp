@@ -9,8 +9,10 @@
 #include "cli/kit/progress_line.h"
 #include "palpate/base/json.h"
 #include "report/charts/picture_file.h"
+#include "report/page/figures_text.h"
 #include "solve/commands/commands.h"
 #include "solve/commands/realism_reports.h"
+#include "solve/realism/living_tests.h"
 #include "solve/realism/realism_stacks.h"
 
 namespace palpate::app {
@@ -74,37 +76,6 @@ Json figuresJson(const RealismFigures& figures) {
   return json;
 }
 
-std::string percent(double share) { return fmt::format("{:.1f}", 100.0 * share); }
-
-std::string figuresText(const RealismFigures& figures) {
-  std::string text =
-      "  percent of the depth, RMS over 40 mm: normal / with the way outward; force against finite elements\n";
-  text += fmt::format("  {:<20}{:>7}{:>18}{:>18}{:>18}{:>9}{:>9}{:>9}{:>9}\n", "stack", "depth", "layered", "gaussian",
-                      "literal", "force", "layered", "gauss.", "literal");
-  const auto shape = [](const PressError& error) {
-    return percent(error.shape.normal_rms) + " / " + percent(error.shape.vector_rms);
-  };
-  const auto force = [](const PressError& error) { return fmt::format("{:+.0f} %", 100.0 * error.force_error); };
-  for (const JudgedPress& press : figures.presses) {
-    text += fmt::format("  {:<20}{:>7}{:>18}{:>18}{:>18}{:>9}{:>9}{:>9}{:>9}\n", press.name,
-                        fmt::format("{:.4g} mm", press.depth_mm), shape(press.layered), shape(press.gaussian),
-                        shape(press.literal), fmt::format("{:.2f} N", press.true_force_n), force(press.layered),
-                        force(press.gaussian), force(press.literal));
-  }
-  for (const JudgedDrag& drag : figures.drags) {
-    text += fmt::format("  {:<20}{:>7}{:>18}{:>18}   percent of the drag, RMS over 60 mm along and across\n", drag.name,
-                        "drag", percent(drag.layered_rms), percent(drag.gaussian_rms));
-  }
-  const lab::WorstErrors worst = figures.worst(&JudgedPress::layered, lab::kJudgedFromMm);
-  text += fmt::format(
-      "worst of layered stacks from {} mm on: normal {} %, vector {} %, force {} % ({} % from 2 mm on), drag {} %\n",
-      lab::kJudgedFromMm, percent(worst.normal_rms), percent(worst.vector_rms), percent(worst.force_error),
-      percent(figures.worst(&JudgedPress::layered, 2.0).force_error),
-      percent(figures.worstDrag(&JudgedDrag::layered_rms)));
-  for (const std::string& name : figures.left_out) text += "left out: " + name + "\n";
-  return text;
-}
-
 figures::Plot errorPlot(const RealismFigures& figures, const std::string& title, const std::string& label,
                         double (*value)(const PressError&)) {
   figures::Plot plot{.title = title, .x = {.label = "depth", .unit = "mm"}, .y = {.label = label, .unit = "%"}};
@@ -134,43 +105,31 @@ figures::Figure figuresPicture(const RealismFigures& figures) {
   return figure;
 }
 
-void runLiving(const RealismArguments& arguments) {
-  LivingReport living;
-  {
-    ProgressLine progress;
-    living = judgeLiving(arguments.living, progress.callback());
-  }
-  fmt::print("{}", arguments.json ? jsonText(livingJson(living)) : livingText(living));
-}
-
-void runRadius(const RealismArguments& arguments) {
-  RadiusReport radius;
-  {
-    ProgressLine progress;
-    radius = judgeRadius(progress.callback());
-  }
-  fmt::print("{}", arguments.json ? jsonText(radiusJson(radius)) : radiusText(radius));
+/// What the work gives, which shows its progress.
+template <class Work>
+auto withProgress(const Work& work) {
+  ProgressLine progress;
+  return work(progress.callback());
 }
 
 void runRealism(const RealismArguments& arguments) {
-  if (arguments.radius) {
-    runRadius(arguments);
-    return;
-  }
+  const auto print = [&](const Json& json, const std::string& text) {
+    fmt::print("{}", arguments.json ? jsonText(json) : text);
+  };
+  const auto print_figures = [&](const Json& json) { print(json, study::figuresText(json)); };
+  if (arguments.radius) return print_figures(withProgress(judgeRadius));
   if (!arguments.living.empty()) {
-    runLiving(arguments);
-    return;
+    const auto [json, text] =
+        withProgress([&](const Progress& progress) { return judgeLiving(arguments.living, progress); });
+    return print(json, text);
   }
   if (!arguments.plot.empty()) checkPictureName(arguments.plot);
-  RealismFigures figures;
-  {
-    ProgressLine progress;
-    const auto stacks = arguments.cases.empty() ? lab::stacksOfBody(progress.callback())
-                                                : lab::stacksOfFile(arguments.cases, progress.callback());
-    figures = lab::judgeRealism(stacks, progress.callback());
-  }
+  const RealismFigures figures = withProgress([&](const Progress& progress) {
+    return lab::judgeRealism(
+        arguments.cases.empty() ? lab::stacksOfBody(progress) : lab::stacksOfFile(arguments.cases, progress), progress);
+  });
   if (!arguments.plot.empty()) writePicture(figuresPicture(figures), arguments.plot, arguments.png_scale);
-  fmt::print("{}", arguments.json ? jsonText(figuresJson(figures)) : figuresText(figures));
+  print_figures(figuresJson(figures));
   if (!arguments.plot.empty() && !arguments.json) fmt::print("-> {}\n", arguments.plot);
 }
 

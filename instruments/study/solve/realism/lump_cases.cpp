@@ -154,24 +154,20 @@ std::vector<double> padded(std::vector<double> pressures, std::size_t count) {
 
 void solve(LumpCase& one, const tissue::LayerStack& stack, const std::vector<double>& surface_radii) {
   constexpr std::size_t kRings = 9;
-  elements::PressSettings settings = elements::pressBeside(one.lump, stack);
-  const elements::PressSolution without = elements::solvePress(stack, settings);
-  settings.lump->young_kpa = tissue::youngModulus(one.lump, stack);
-  const elements::PressSolution with = elements::solvePress(stack, settings);
-  const std::size_t count = std::min(without.table.shapes.size(), with.table.shapes.size());
-  for (std::size_t i = 0; i < count && i < settings.depths_mm.size(); ++i) {
-    const tissue::PressedShape& shape = with.table.shapes[i];
-    const tissue::PressedShape& plain = without.table.shapes[i];
-    if (shape.depth_mm != plain.depth_mm) break;
+  const elements::LumpPresses solved = elements::solveLumpPresses(one.lump, stack);
+  const tissue::LayeredTable& with = solved.with.table;
+  for (std::size_t i = 0; i < solved.common; ++i) {
+    const tissue::PressedShape& shape = with.shapes[i];
+    const tissue::PressedShape& plain = solved.without.table.shapes[i];
     LumpPress& press = one.presses.emplace_back();
     press.depth_mm = shape.depth_mm;
     press.force_n = shape.force_n;
     press.force_without_n = plain.force_n;
     // Up to the end of the last ring that touches.
-    press.contact_radius_mm = static_cast<double>(with.ring_pressures_kpa[i].size());
-    press.pressure_kpa = padded(with.ring_pressures_kpa[i], kRings);
+    press.contact_radius_mm = static_cast<double>(solved.with.ring_pressures_kpa[i].size());
+    press.pressure_kpa = padded(solved.with.ring_pressures_kpa[i], kRings);
     for (const double radius : surface_radii) {
-      const auto at = std::ranges::lower_bound(with.table.radii_mm, radius - 1e-9) - with.table.radii_mm.begin();
+      const auto at = std::ranges::lower_bound(with.radii_mm, radius - 1e-9) - with.radii_mm.begin();
       const auto r = static_cast<std::size_t>(at);
       press.surface_change_share.push_back((shape.down[r] * shape.surface_mm - plain.down[r] * plain.surface_mm) /
                                            shape.depth_mm);

@@ -38,12 +38,9 @@ RefinedPress refinePress(const tissue::LayerStack& stack, double depth_mm, std::
 /// The force with steps a third as long, fraction, absolute.
 double stepError(const tissue::LayerStack& stack, double depth_mm);
 
-// Richardson's estimate from three results on meshes each twice as fine as the one before.
-//
-// Based on: Roache, "Perspective: A method for uniform reporting of grid refinement studies", J. Fluids Eng. 116
-// (1994).
-
-/// None where the results do not come nearer and nearer from one side.
+/// Richardson's estimate from three results on meshes each twice as fine as the one before; none where they do not come
+/// nearer and nearer from one side. Based on: Roache, "Perspective: A method for uniform reporting of grid refinement
+/// studies", J. Fluids Eng. 116 (1994).
 std::optional<double> observedOrder(double coarse, double middle, double fine);
 
 /// The grid convergence index of the finest: 1.25 times the error by the order; 3 times the last difference where the

@@ -1,5 +1,5 @@
 // What `palpate study bench batch` measures is what it says: the same ticks on any number of threads.
-#include "lab/runs/servo_costs.h"
+#include "lab/runs/batch_run.h"
 
 #include <gtest/gtest.h>
 

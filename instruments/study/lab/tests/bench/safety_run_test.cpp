@@ -1,5 +1,5 @@
 // What safety costs, on the default scene of `palpate simulate`.
-#include "lab/runs/servo_costs.h"
+#include "lab/runs/safety_run.h"
 
 #include <gtest/gtest.h>
 

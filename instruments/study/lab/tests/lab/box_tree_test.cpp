@@ -1,5 +1,5 @@
 // The judge's tree beside a look at every triangle.
-#include "lab/judges/hunt_judge.h"
+#include "lab/judges/box_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The quick winding number beside the exact sum over all triangles, near, far, inside and outside.
-#include "lab/judges/hunt_judge.h"
+#include "lab/judges/fast_winding.h"
 
 #include <gtest/gtest.h>
 

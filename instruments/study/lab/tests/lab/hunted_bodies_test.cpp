@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "lab/workloads/hunted_shapes.h"
 #include "palpate/base/error.h"
 #include "palpate/mesh/repair.h"
 #include "palpate/mesh/validate.h"

@@ -61,8 +61,7 @@ void check(const tissue::LayerStack& stack, const DragSettings& settings) {
     throw Error(fmt::format("the block is {:g} mm to each side; it must be four radii of the patch to 2000 mm",
                             settings.half_width_mm));
   }
-  if (settings.fineness >= 0.5 && settings.fineness <= 4.0) return;
-  throw Error(fmt::format("the mesh's fineness is {:g}; it must be 0.5 to 4", settings.fineness));
+  checkSize("the mesh's fineness", settings.fineness, 0.5, 4.0);
 }
 
 /// Bilinear in the quarter's grid.

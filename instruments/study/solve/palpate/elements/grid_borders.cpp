@@ -1,9 +1,18 @@
 #include "palpate/elements/grid_borders.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "palpate/base/error.h"
+
 namespace palpate::elements {
+
+void checkSize(const char* what, double value, double least, double most) {
+  if (value >= least && value <= most) return;
+  throw Error(fmt::format("{} is {:g}; it must be {:g} to {:g}", what, value, least, most));
+}
 
 std::vector<double> bordersAlong(const Spacing& spacing) {
   std::vector<double> borders = {0.0};

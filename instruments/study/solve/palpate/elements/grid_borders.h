@@ -7,6 +7,9 @@
 
 namespace palpate::elements {
 
+/// Throws Error, which names `what`, for a value out of range.
+void checkSize(const char* what, double value, double least, double most);
+
 struct Spacing {
   double first_mm = 0.7;
   double uniform_to_mm = 14.0;  ///< beyond, steps grow by `growth` up to `widest_mm`

@@ -6,6 +6,9 @@
 
 namespace palpate::elements {
 
+namespace {
+
+/// `settings.lump` has no modulus: as it is, the press is one of the tissue alone, on the mesh of the lump.
 PressSettings pressBeside(const tissue::LumpShape& lump, const tissue::LayerStack& stack) {
   constexpr double kDeepestMm = 8.0;
   constexpr double kShare = 0.5;  // share of the thickness
@@ -21,22 +24,29 @@ PressSettings pressBeside(const tissue::LumpShape& lump, const tissue::LayerStac
   return settings;
 }
 
+}  // namespace
+
+LumpPresses solveLumpPresses(const tissue::LumpShape& lump, const tissue::LayerStack& stack) {
+  PressSettings settings = pressBeside(lump, stack);
+  LumpPresses presses{.without = solvePress(stack, settings), .with = {}};
+  settings.lump->young_kpa = tissue::youngModulus(lump, stack);
+  presses.with = solvePress(stack, settings);
+  const auto& plain = presses.without.table.shapes;
+  const auto& hard = presses.with.table.shapes;
+  const std::size_t most = std::min({plain.size(), hard.size(), settings.depths_mm.size()});
+  while (presses.common < most && hard[presses.common].depth_mm == plain[presses.common].depth_mm) ++presses.common;
+  return presses;
+}
+
 std::vector<scene::SolvedPush> solveLump(const tissue::LumpShape& lump, const tissue::LayerStack& stack) {
   tissue::check(lump, stack);
-  PressSettings settings = pressBeside(lump, stack);
-  const PressSolution without = solvePress(stack, settings);
-  settings.lump->young_kpa = tissue::youngModulus(lump, stack);
-  const PressSolution with = solvePress(stack, settings);
+  const LumpPresses presses = solveLumpPresses(lump, stack);
   std::vector<scene::SolvedPush> pushes;
-  const std::size_t count =
-      std::min({without.table.shapes.size(), with.table.shapes.size(), settings.depths_mm.size()});
-  for (std::size_t i = 0; i < count; ++i) {
-    const tissue::PressedShape& shape = with.table.shapes[i];
-    const tissue::PressedShape& plain = without.table.shapes[i];
-    if (shape.depth_mm != plain.depth_mm) break;
-    pushes.push_back({shape.depth_mm, shape.force_n - plain.force_n});
+  for (std::size_t i = 0; i < presses.common; ++i) {
+    const tissue::PressedShape& shape = presses.with.table.shapes[i];
+    pushes.push_back({shape.depth_mm, shape.force_n - presses.without.table.shapes[i].force_n});
   }
-  if (pushes.empty()) throw Error("cannot be solved: " + with.stopped_by);
+  if (pushes.empty()) throw Error("cannot be solved: " + presses.with.stopped_by);
   return pushes;
 }
 

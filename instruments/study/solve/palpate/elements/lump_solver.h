@@ -14,9 +14,13 @@
 
 namespace palpate::elements {
 
-/// A press over this lump to 8 mm, or half of the tissue, in steps of 1 mm. `settings.lump` has no modulus: as it is,
-/// the press is one of the tissue alone, on the mesh of the lump.
-PressSettings pressBeside(const tissue::LumpShape& lump, const tissue::LayerStack& stack);
+/// Presses over a lump to 8 mm, or half of the tissue, in steps of 1 mm: without it, but on its mesh, and with it. The
+/// first `common` depths were reached by both.
+struct LumpPresses {
+  PressSolution without, with;
+  std::size_t common = 0;
+};
+LumpPresses solveLumpPresses(const tissue::LumpShape& lump, const tissue::LayerStack& stack);
 
 /// Presses with the lump and without it, on one mesh: some 4 s. Both meshes are the same, so that what differs is the
 /// lump and not the mesh. Depths that the solver does not come to are missing; it ends where soft skin would fold over

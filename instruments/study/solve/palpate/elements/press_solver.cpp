@@ -141,11 +141,6 @@ double computeWork(const std::vector<PressStep>& steps) {
   return work;
 }
 
-void checkSize(const char* what, double value, double least, double most) {
-  if (value >= least && value <= most) return;
-  throw Error(fmt::format("{} is {:g}; it must be {:g} to {:g}", what, value, least, most));
-}
-
 /// Last of depths that must increase from above 0; 0 for an empty list.
 double checkedLastDepth(const std::vector<double>& depths) {
   double before = 0.0;

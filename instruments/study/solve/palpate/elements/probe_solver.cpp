@@ -1,12 +1,9 @@
 #include "palpate/elements/probe_solver.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "palpate/base/error.h"
 #include "palpate/elements/hex_block.h"
 
 namespace palpate::elements {
@@ -102,18 +99,14 @@ HexBoundary boundaryUnder(const HexBlock& block, double cover_mm, const ProbeSet
 
 void checkProbe(const tissue::LayerStack& stack, const ProbeSettings& settings) {
   tissue::check(stack);
-  const auto between = [](double value, double low, double high, const char* what) {
-    if (value >= low && value <= high) return;
-    throw Error(fmt::format("{} is {:g}; it must be {:g} to {:g}", what, value, low, high));
-  };
-  between(settings.length_mm, 2.0, 200.0, "the probe's length (mm)");
-  between(settings.width_mm, 2.0, 200.0, "the probe's width (mm)");
-  between(settings.bone_radius_mm, 0.0, 100.0, "the bone's radius (mm)");
-  between(settings.half_length_mm, settings.length_mm, 2000.0, "half the block's length (mm)");
-  between(settings.fineness, 0.5, 4.0, "the mesh's fineness");
+  checkSize("the probe's length (mm)", settings.length_mm, 2.0, 200.0);
+  checkSize("the probe's width (mm)", settings.width_mm, 2.0, 200.0);
+  checkSize("the bone's radius (mm)", settings.bone_radius_mm, 0.0, 100.0);
+  checkSize("half the block's length (mm)", settings.half_length_mm, settings.length_mm, 2000.0);
+  checkSize("the mesh's fineness", settings.fineness, 0.5, 4.0);
   if (settings.bone_radius_mm == 0.0) return;
-  between(tissue::totalThickness(stack) + settings.bone_radius_mm, 0.5 * settings.width_mm + 1.0, 2000.0,
-          "half the limb's width (mm)");
+  checkSize("half the limb's width (mm)", tissue::totalThickness(stack) + settings.bone_radius_mm,
+            0.5 * settings.width_mm + 1.0, 2000.0);
 }
 
 }  // namespace
