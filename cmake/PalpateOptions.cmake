@@ -42,7 +42,7 @@ endif()
 foreach(house core host view cli bindings web)
   set(PALPATE_HOUSE_${house} ${PROJECT_SOURCE_DIR}/engine/${house})
 endforeach()
-foreach(house report measure teach)
+foreach(house report measure teach class)
   set(PALPATE_HOUSE_${house} ${PROJECT_SOURCE_DIR}/instruments/${house})
 endforeach()
 foreach(house solve lab dissertation)
@@ -55,7 +55,7 @@ add_library(palpate_build INTERFACE)
 target_link_libraries(palpate_build INTERFACE palpate_options)
 set(PALPATE_INCLUDE_FOLDERS ${PROJECT_SOURCE_DIR}/engine ${PROJECT_SOURCE_DIR}/instruments ${PROJECT_SOURCE_DIR}/instruments/study
                             ${PALPATE_HOUSE_core} ${PALPATE_HOUSE_host} ${PALPATE_HOUSE_view} ${PALPATE_HOUSE_measure}
-                            ${PALPATE_HOUSE_teach} ${PALPATE_HOUSE_solve})
+                            ${PALPATE_HOUSE_teach} ${PALPATE_HOUSE_class} ${PALPATE_HOUSE_solve})
 target_include_directories(palpate_build INTERFACE ${PALPATE_INCLUDE_FOLDERS})
 # One order of arithmetic everywhere: with Eigen's packets a sum of three is added in another order where there is SSE than
 # where there is none. Three-vectors are no slower without.

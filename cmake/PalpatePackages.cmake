@@ -4,7 +4,7 @@
 #   libpalpate0      libpalpate.so.0, the C interface
 #   libpalpate-dev   palpate.h, Palpate.cs, the C++ library with its headers and CMake files
 #   palpate          the command
-#   palpate-FAMILY   what it starts: serve, report, measure, teach, study (engine/cli/kit/families.tsv)
+#   palpate-FAMILY   what it starts: serve, report, measure, teach, class, study (engine/cli/kit/families.tsv)
 #   python3-palpate  the Python package
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME palpate)
@@ -76,7 +76,9 @@ endmacro()
 palpate_family_package(serve "haptic palpation: in browsers\npalpate serve: feel here, with devices, and show it in browsers.")
 palpate_family_package(report "haptic palpation: plots, maps and reports\npalpate recording report, recording plot, body map.")
 palpate_family_package(measure "haptic palpation: measuring from photographs\npalpate measure: how far skin follows a finger, from photographs of dots.")
-palpate_family_package(teach "haptic palpation: training and classes\npalpate train, palpate class: training, examination, their records,\na class over the network.")
+palpate_family_package(teach "haptic palpation: training\npalpate train: training, examination, their records.")
+palpate_family_package(class "haptic palpation: classes\npalpate class: a class over the network.")
+set(CPACK_DEBIAN_CLASS_PACKAGE_DEPENDS "${CPACK_DEBIAN_CLASS_PACKAGE_DEPENDS}, palpate-teach (= ${PROJECT_VERSION})")
 palpate_family_package(study "haptic palpation: studies\npalpate study, palpate tissue: the dissertation's numbers and figures,\nfinite elements of tissue, benchmarks.")
 if(TARGET palpate_python)
   # A module fits one minor version of Python.

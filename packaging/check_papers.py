@@ -223,7 +223,7 @@ def debian(root):
             yield f"packaging/debian/control: the family {family} has no package"
     asked = set(re.findall(r"^ *(?:Build-Depends: )?([a-z0-9.+-]+)", control.split("\n\n")[0].split("Build-Depends:")[1], re.M))
     lists = re.sub(r"#.*", "", (root / "tools/install-dependencies").read_text())
-    for words in re.findall(r"(?ms)^(?:bare|report|serve|measure|teach)=\((.*?)\)", lists):
+    for words in re.findall(r"(?ms)^(?:bare|report|serve|measure|teach|class)=\((.*?)\)", lists):
         for package in words.split():
             if not package.startswith('"') and package not in asked and package not in NOT_TO_BUILD:
                 yield f"packaging/debian/control: building needs {package}"

@@ -8,7 +8,7 @@ from release import archives, licences, shared_objects
 from release.basics import ROOT, Release, run, wanted
 
 # Not measure and study: OpenCV's codecs load 130 libraries.
-FAMILIES = ("serve", "report", "teach")
+FAMILIES = ("serve", "report", "teach", "class")
 README = """Palpate {version}: the command for Linux on x86-64, glibc {glibc} or later (Debian 12, Ubuntu 22.04, ...)
 
   bin/palpate                     the window

@@ -22,7 +22,7 @@ const fs::path kSourceFolder = palpate::support::sourceFolder();
 const std::vector<fs::path> kLibraries = [] {
   std::vector<fs::path> folders;
   for (const char* house : {"engine/core", "engine/host", "engine/view", "instruments/measure", "instruments/teach",
-                            "instruments/study/solve"}) {
+                            "instruments/class", "instruments/study/solve"}) {
     folders.push_back(kSourceFolder / house / "palpate");
   }
   return folders;
@@ -36,6 +36,7 @@ constexpr const char* kFoldersOfHouses[] = {"engine/core",
                                             "instruments/report",
                                             "instruments/measure",
                                             "instruments/teach",
+                                            "instruments/class",
                                             "instruments/study/dissertation",
                                             "instruments/study/solve",
                                             "instruments/study/lab",

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "class/commands/commands.h"
 #include "cli/kit/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/own/commands.h"
@@ -45,6 +46,7 @@ void addAllCommands(Command& app) {
   addReportFamily(app);
   addMeasureCommand(app);
   addTeachFamily(app);
+  addClassCommand(app);
   addStudyFamily(app);
 }
 

@@ -104,9 +104,15 @@ std::string withPresentName(const std::string& word) {
   return word;
 }
 
+std::vector<std::string>& wordsTyped() {
+  static std::vector<std::string> words;
+  return words;
+}
+
 int parse(Command& app, const std::vector<std::string>& words) {
   std::vector<std::string> last_first;  // order of CLI11
   for (auto word = words.rbegin(); word != words.rend(); ++word) last_first.push_back(withPresentName(*word));
+  wordsTyped().assign(last_first.rbegin(), last_first.rend());
   try {
     app.parse(last_first);
   } catch (const ExitWith& answer) {
@@ -245,6 +251,8 @@ int runProgram(const std::function<int()>& body) {
   }
   return kWrongInput;
 }
+
+const std::vector<std::string>& typedWords() { return wordsTyped(); }
 
 int runCommandLine(Command& app, const std::vector<std::string>& words) {
   listenForSignals();

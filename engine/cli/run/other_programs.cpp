@@ -69,7 +69,7 @@ ActivityState OtherPrograms::find(bool own, std::string_view family) const {
 const viewer::Activities& OtherPrograms::now() {
   if (looked_ != Clock::time_point{} && secondsSince(looked_) < kLookAgainS) return activities_;
   looked_ = Clock::now();
-  activities_ = {find(false, "teach"), find(own_.measuring, "measure"), find(own_.classes, "teach")};
+  activities_ = {find(false, "teach"), find(own_.measuring, "measure"), find(own_.classes, "class")};
   return activities_;
 }
 

@@ -305,8 +305,8 @@ void runWindow(const RunOptions& options) {
   viewer::ViewState view_state = viewState(options, state);
   std::optional<viewer::Activity> wanted;
   viewer::ViewerHost host = makeViewerHost(window);
-  host.teach_program = familyProgram("teach");
-  OtherPrograms others({.measuring = !settings.modes.empty(), .classes = !host.teach_program.empty()});
+  host.class_program = familyProgram("class");
+  OtherPrograms others({.measuring = !settings.modes.empty(), .classes = !host.class_program.empty()});
   host.activities = [&others] { return others.now(); };
   host.give_way = [&wanted](viewer::Activity activity) { wanted = activity; };
   const viewer::OpeningView::Offers offers{.page = wantsStartPage(options, view_state), .activities = host.activities};

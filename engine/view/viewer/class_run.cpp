@@ -64,9 +64,9 @@ ClassRun::~ClassRun() {
 
 ClassRun::Program ClassRun::started(std::vector<std::string> words, ClassShown& shown) const {
   words.insert(words.begin(), "palpate");
-  auto program = std::make_unique<system::FedProgram>(teach_, words);
+  auto program = std::make_unique<system::FedProgram>(classes_, words);
   if (program->reason() == 0) return program;
-  shown.trouble = fmt::format("{}: {}", teach_.string(), std::generic_category().message(program->reason()));
+  shown.trouble = fmt::format("{}: {}", classes_.string(), std::generic_category().message(program->reason()));
   return nullptr;
 }
 

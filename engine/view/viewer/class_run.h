@@ -18,14 +18,14 @@ namespace palpate::viewer {
 
 class ClassRun {
  public:
-  /// `teach`: palpate-teach; empty: it is not installed.
-  explicit ClassRun(std::filesystem::path teach) : teach_(std::move(teach)) {}
+  /// `classes`: palpate-class; empty: it is not installed.
+  explicit ClassRun(std::filesystem::path classes) : classes_(std::move(classes)) {}
   ClassRun(const ClassRun&) = delete;
   ClassRun& operator=(const ClassRun&) = delete;
   /// Stops the running programs properly.
   ~ClassRun();
 
-  bool offered() const { return !teach_.empty(); }
+  bool offered() const { return !classes_.empty(); }
   /// None of these waits: `advance` reports the outcome. Faults of the request are reported at once.
   void start(const StartClass& request, ClassShown& shown);
   void watch(const std::string& folder, ClassShown& shown);
@@ -41,7 +41,7 @@ class ClassRun {
   void serve(ClassShown& shown);
   void pollPrograms(ClassShown& shown);
 
-  std::filesystem::path teach_;
+  std::filesystem::path classes_;
   Program init_, serve_, watch_, join_;
   double looked_s_ = 0.0;
 };

@@ -35,7 +35,7 @@ struct ViewerHost {
   /// Makes the program for the activity open once this window is closed.
   std::function<void(Activity)> give_way = {};
   /// program for classes; empty: not installed
-  std::filesystem::path teach_program = {};
+  std::filesystem::path class_program = {};
 };
 
 /// Parts of the viewer for requests; all must outlive the handler.

@@ -40,7 +40,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::World>& world, ViewState state
       outputs_(settings_.output_folder, user_),
       modes_(std::move(settings_.modes)),
       camera_(seen_, user_.now_s, pointer_, modes_, world_),
-      class_run_(host_.teach_program),
+      class_run_(host_.class_program),
       requests_({viewer_, world_swap_, devices_, keeper_, outputs_, replay_, camera_, class_run_, modes_, host_,
                  settings_.default_scene, world_}),
       eyesight_(host_.quad_buffer) {

@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "class/commands/class_commands.h"
 #include "cli/kit/options.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
@@ -20,7 +21,6 @@
 #include "palpate/classroom/messages.h"
 #include "palpate/classroom/mqtt_link.h"
 #include "palpate/training/records/trainee_code.h"
-#include "teach/commands/class_commands.h"
 
 namespace palpate::app {
 

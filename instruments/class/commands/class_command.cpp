@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "class/commands/class_commands.h"
+#include "class/commands/commands.h"
 #include "cli/kit/number_option.h"
 #include "cli/kit/progress_line.h"
 #include "palpate/base/json.h"
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
-#include "teach/commands/class_commands.h"
+#include "palpate/classroom/class_part.h"
+#include "teach/commands/class_part.h"
 #include "teach/commands/commands.h"
 
 namespace palpate::app {
@@ -154,6 +157,12 @@ void addClassCommand(Command& app) {
   addClassCheckCommand(command);
   addClassWatchCommand(command);
   addClassLoadCommand(command);
+}
+
+void addClassFamily(Command& app) {
+  installClassPart(classroom::makeClassPart());
+  addTeachFamily(app);
+  addClassCommand(app);
 }
 
 }  // namespace palpate::app

@@ -1,4 +1,4 @@
-#include "teach/commands/class_commands.h"
+#include "class/commands/class_commands.h"
 
 #include <fmt/format.h>
 

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "class/commands/class_commands.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"
@@ -25,7 +26,6 @@
 #include "palpate/scene/scene_file.h"
 #include "palpate/training/records/store.h"
 #include "palpate/training/records/trainee_code.h"
-#include "teach/commands/class_commands.h"
 
 namespace palpate::app {
 

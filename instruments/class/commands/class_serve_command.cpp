@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "class/commands/class_commands.h"
 #include "cli/kit/choice_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/number_option.h"
@@ -24,7 +25,6 @@
 #include "palpate/classroom/certificates.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/collector.h"
-#include "teach/commands/class_commands.h"
 
 namespace palpate::app {
 

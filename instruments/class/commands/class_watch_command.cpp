@@ -6,6 +6,8 @@
 #include <string>
 #include <thread>
 
+#include "class/commands/class_commands.h"
+#include "class/window/class_window.h"
 #include "cli/kit/choice_option.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
@@ -24,8 +26,6 @@
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"
 #include "palpate/training/records/store.h"
-#include "teach/class_window/class_window.h"
-#include "teach/commands/class_commands.h"
 #include "teach/commands/results_commands.h"
 
 namespace palpate::app {

@@ -1,4 +1,4 @@
-#include "teach/class_window/class_window.h"
+#include "class/window/class_window.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

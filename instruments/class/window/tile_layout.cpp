@@ -1,5 +1,5 @@
 // Full tiles where all of them fit, compact ones where they do not, and scrolling where even these do not. Cold.
-#include "teach/class_window/class_window.h"
+#include "class/window/class_window.h"
 
 #include <algorithm>
 #include <optional>

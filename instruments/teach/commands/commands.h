@@ -1,4 +1,4 @@
-// The commands of palpate-teach.
+// The commands of palpate-teach; palpate-class has them too.
 #pragma once
 
 #include "cli/kit/options.h"
@@ -7,7 +7,6 @@ namespace palpate::app {
 
 void addTeachFamily(Command& app);
 
-void addClassCommand(Command& app);
 void addResultsCommand(Command& train);
 
 }  // namespace palpate::app

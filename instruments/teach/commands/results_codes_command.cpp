@@ -9,6 +9,7 @@
 #include "cli/kit/number_option.h"
 #include "palpate/base/json.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/class_part.h"
 #include "teach/commands/results_commands.h"
 
 namespace palpate::app {
@@ -61,7 +62,7 @@ void addResultsCodesCommand(Command& parent) {
   const auto [command, arguments] = addCommand<CodesArguments>(
       parent, "codes", "New codes to sign in with, as cards to print", [](CodesArguments& a) {
         if (!a.class_id.empty() && std::filesystem::is_directory(a.class_id)) {
-          ClassSecret secret = secretIn(a.class_id);
+          training::ClassSecret secret = classPart().secret(a.class_id);
           a.class_id = secret.class_id;
           a.key = secret.key;
         }

@@ -10,10 +10,10 @@
 #include "palpate/base/json.h"
 #include "palpate/base/language.h"
 #include "palpate/base/nearest_name.h"
-#include "palpate/classroom/class_folder.h"
-#include "palpate/classroom/database_copy.h"
+#include "palpate/training/records/class_names.h"
 #include "palpate/training/records/store.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/class_part.h"
 #include "teach/commands/commands.h"
 #include "teach/commands/results_commands.h"
 
@@ -53,8 +53,8 @@ void addResultsFile(Command& command, ResultsArguments& arguments) {
 }
 
 Store recordsAt(const std::string& file_or_address, Store::Open how) {
-  return classroom::isDatabaseAddress(file_or_address) ? classroom::copyOfDatabase(file_or_address)
-                                                       : Store(file_or_address, how);
+  return training::isDatabaseAddress(file_or_address) ? classPart().copyOfDatabase(file_or_address)
+                                                      : Store(file_or_address, how);
 }
 
 void addClassFolder(Command& command, ResultsArguments& arguments) {
@@ -65,28 +65,19 @@ void addClassFolder(Command& command, ResultsArguments& arguments) {
       ->type_name("DIR");
 }
 
-ClassSecret secretIn(const std::string& folder) {
-  if (std::filesystem::exists(std::filesystem::path(folder) / "class.toml")) {
-    const classroom::ClassFolder read = classroom::readClassFolder(folder);
-    return {read.class_id, read.trainee_key};
-  }
-  const classroom::Member member = classroom::readMember(folder);
-  return {member.class_id, member.trainee_key};
-}
-
 namespace {
 
 void remember(Store& store, const std::string& class_folder) {
   if (class_folder.empty()) return;
-  const ClassSecret secret = secretIn(class_folder);
+  const training::ClassSecret secret = classPart().secret(class_folder);
   store.rememberTraineeKey(secret.class_id, secret.key);
 }
 
 }  // namespace
 
 Store openedResults(const ResultsArguments& arguments) {
-  if (classroom::isDatabaseAddress(arguments.file)) {
-    Store copy = classroom::copyOfDatabase(arguments.file);
+  if (training::isDatabaseAddress(arguments.file)) {
+    Store copy = classPart().copyOfDatabase(arguments.file);
     remember(copy, arguments.class_folder);
     return copy;
   }
@@ -96,6 +87,7 @@ Store openedResults(const ResultsArguments& arguments) {
   if (!std::filesystem::exists(file, error)) {
     throw Error::inFile(file.string(), "no such file; `palpate train` creates records");
   }
+  if (!arguments.class_folder.empty()) classPart();  // perhaps another program's, before the file is open
   Store store(file, Store::Open::existing);
   remember(store, arguments.class_folder);
   return store;

@@ -30,19 +30,13 @@ struct ResultsArguments {
 };
 /// --class DIR, for commands that are given a code.
 void addClassFolder(Command& command, ResultsArguments& arguments);
-/// The secret of a class's or a station's folder, with the class's id. Throws Error.
-struct ClassSecret {
-  std::string class_id;
-  std::string key;
-};
-ClassSecret secretIn(const std::string& folder);
 /// [FILE] and --json. `arguments` must outlive the command.
 void addResultsFile(Command& command, ResultsArguments& arguments);
 
 /// Migrates an older file. Throws Error, which says where records are made when there are none.
 training::Store openedResults(const ResultsArguments& arguments);
 
-/// A file, or a copy of the database at this address (classroom/database_copy.h).
+/// A file, or a copy of the database at this address (class_part.h).
 training::Store recordsAt(const std::string& file_or_address, training::Store::Open how);
 
 /// Finds a trainee by the code on their card, their pseudonym, or its first letters. Throws Error.

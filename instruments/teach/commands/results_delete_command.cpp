@@ -9,10 +9,10 @@
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/text.h"
-#include "palpate/classroom/class_store.h"
-#include "palpate/classroom/database_copy.h"
+#include "palpate/training/records/class_names.h"
 #include "palpate/training/records/deletion.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/class_part.h"
 #include "teach/commands/results_commands.h"
 
 namespace palpate::app {
@@ -54,9 +54,7 @@ void printDeletedJson(const Json& json) { fmt::print("{}\n", jsonDump(json, 2));
 
 void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const training::TraineeRow& trainee) {
   const RowsOf rows = rowsOf(copy, trainee);
-  classroom::ClassStore database(arguments.results.file);
-  const bool found = database.erase(trainee.id, "palpate train results");
-  const std::string& left = database.notErased();
+  const auto& [found, left] = classPart().erase(arguments.results.file, trainee.id, "palpate train results");
   if (arguments.results.json) {
     printDeletedJson(
         {{"deleted", found && left.empty()}, {"sittings", rows.sessions}, {"trials", rows.trials}, {"not_done", left}});
@@ -75,7 +73,7 @@ void deleteInDatabase(const DeleteArguments& arguments, Store& copy, const train
 
 void runResultsDelete(const DeleteArguments& arguments) {
   Store store = openedResults(arguments.results);
-  const bool in_database = classroom::isDatabaseAddress(arguments.results.file);
+  const bool in_database = training::isDatabaseAddress(arguments.results.file);
   const training::TraineeRow trainee = traineeCalled(store, arguments.trainee);
   const std::string_view what = in_database ? ", in the class's database" : ", their recordings and their key";
   if (!arguments.yes && !confirmDeletion(rowsOf(store, trainee), trainee, what)) {
@@ -101,16 +99,9 @@ void runResultsDelete(const DeleteArguments& arguments) {
 void runResultsPurge(const DeleteArguments& arguments) {
   Store store = openedResults(arguments.results);
   const std::int64_t now = training::utcMs();
-  const bool in_database = classroom::isDatabaseAddress(arguments.results.file) && !arguments.dry_run;
-  training::Purged purged;
-  std::string left;
-  if (in_database) {
-    classroom::ClassStore database(arguments.results.file);
-    purged = database.purge(now);
-    left = database.notErased();
-  } else {
-    purged = purge(store, now, !arguments.dry_run);
-  }
+  const bool in_database = training::isDatabaseAddress(arguments.results.file) && !arguments.dry_run;
+  const auto& [purged, left] = in_database ? classPart().purge(arguments.results.file, now)
+                                           : training::PurgedFromDatabase{purge(store, now, !arguments.dry_run), ""};
   if (!left.empty()) fmt::print(stderr, "palpate: NOT deleted for good: {}\n", left);
   if (arguments.results.json) {
     const Json json = {{"purged", !arguments.dry_run},

@@ -7,11 +7,11 @@
 #include "palpate/base/error.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/private_folder.h"
-#include "palpate/classroom/class_store.h"
-#include "palpate/classroom/database_copy.h"
+#include "palpate/training/records/class_names.h"
 #include "palpate/training/records/export.h"
 #include "palpate/training/records/sql.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/class_part.h"
 #include "teach/commands/results_commands.h"
 
 namespace palpate::app {
@@ -36,12 +36,10 @@ void refuseThere(const fs::path& file, bool force) {
 
 /// In the records themselves: of a database `store` is a copy.
 void noteExport(const std::string& file_or_address, training::Store& store, std::size_t files) {
-  const auto note = [files](training::RowTables& rows) {
-    rows.note(training::utcMs(), "palpate train results", "exported", fmt::format("{} files", files));
-  };
-  if (!classroom::isDatabaseAddress(file_or_address)) return note(store.rows());
-  classroom::ClassStore database(file_or_address);
-  note(database.rows());
+  constexpr const char* kActor = "palpate train results";
+  const std::string what = fmt::format("{} files", files);
+  if (training::isDatabaseAddress(file_or_address)) return classPart().note(file_or_address, kActor, "exported", what);
+  store.rows().note(training::utcMs(), kActor, "exported", what);
 }
 
 void runResultsExport(const ExportArguments& arguments) {

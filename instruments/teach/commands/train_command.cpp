@@ -17,9 +17,10 @@
 #include "palpate/base/error.h"
 #include "palpate/base/language.h"
 #include "palpate/base/private_folder.h"
-#include "palpate/classroom/class_settings.h"
 #include "palpate/elements/lump_solver.h"
+#include "palpate/training/records/class_names.h"
 #include "palpate/training/records/trainee_code.h"
+#include "teach/commands/class_part.h"
 #include "teach/commands/commands.h"
 #include "teach/commands/train_options.h"
 #include "teach/window/screen_tour.h"
@@ -34,7 +35,7 @@ namespace {
 
 /// A word is a class without a network; a file or folder is that of a station which takes part in one.
 bool isClassName(const std::string& text) {
-  return text.empty() || (classroom::isClassWord(text) && !std::filesystem::exists(text));
+  return text.empty() || (training::isClassWord(text) && !std::filesystem::exists(text));
 }
 
 viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
@@ -45,16 +46,16 @@ viewer::TrainingSettings trainingSettings(const TrainOptions& options) {
   if (isClassName(options.class_id)) {
     settings.sign_in.class_id = options.class_id;
   } else {
-    settings.member = classroom::readMember(options.class_id);
-    settings.sign_in.class_id = settings.member->class_id;
-    settings.sign_in.trainee_key = settings.member->trainee_key;
+    settings.station = classPart().station(options.class_id);
+    settings.sign_in.class_id = settings.station->of.id;
+    settings.sign_in.trainee_key = settings.station->trainee_key;
   }
   if (!options.code.empty()) {
     const auto code = training::codeTyped(options.code);
     if (!code) throw Error(fmt::format("--code '{}' is not a code: a letter of it is wrong", options.code));
     settings.sign_in.code = *code;
   }
-  settings.leads_back = !settings.member && options.code.empty();
+  settings.leads_back = !settings.station && options.code.empty();
   settings.sign_in.thimble = options.thimble;
   settings.seed = options.seed;
   settings.recording_files = !options.no_recording_file;
@@ -172,7 +173,6 @@ void addTrainCommand(Command& app) {
 void addTeachFamily(Command& app) {
   scene::setLumpSolver(elements::solveLump);
   addTrainCommand(app);
-  addClassCommand(app);
 }
 
 }  // namespace palpate::app

@@ -1,5 +1,6 @@
 // Options -> records, body, trainees -> their sessions, one line each, and a report for machines.
 #include "cli/kit/options.h"
+#include "teach/commands/class_part.h"
 #include "teach/commands/train_options.h"
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@
 #include "palpate/base/json.h"
 #include "palpate/base/stopwatch.h"
 #include "palpate/base/text.h"
-#include "palpate/classroom/station_link.h"
+#include "palpate/training/records/class_names.h"
 #include "palpate/training/records/trainee_code.h"
 #include "palpate/training/trainee/body_touch.h"
 #include "palpate/training/trainee/imagined_touch.h"
@@ -190,8 +191,8 @@ class TraineeCommand {
       if (simulated.fast) throw Error("--fast: lumps are felt on a body");
       if (simulated.programme) throw Error("--programme has no lump sessions");
     }
-    if (!options.class_id.empty() && !classroom::isClassWord(options.class_id)) {
-      member_ = classroom::readMember(options.class_id);
+    if (!options.class_id.empty() && !training::isClassWord(options.class_id)) {
+      station_ = classPart().station(options.class_id);
     }
   }
 
@@ -200,8 +201,8 @@ class TraineeCommand {
     const std::filesystem::path file = recordsFile(options_);
     training::Store store(file, training::Store::Open::create_too);
     storeReferencedRows(store);
-    std::optional<classroom::StationLink> link;
-    if (member_) link.emplace(*member_, store, classroom::StationInfo{"palpate, simulated", describeDevice()});
+    std::optional<training::ClassLink> link;
+    if (station_) link = station_->connect(store, "palpate, simulated", describeDevice());
     for (int i = 0; i < simulated_.trainees && endingSignal() == 0; ++i) train(store, i);
     if (link) sendWaiting(store);
     progress_.clear();
@@ -213,7 +214,7 @@ class TraineeCommand {
   std::string formatTrainee(const training::TraineeCourse& course) const {
     return finds_lumps_ ? training::formatLumpTrainee(course.lump_observer) : training::formatObserver(course.observer);
   }
-  std::string classId() const { return member_ ? member_->class_id : options_.class_id; }
+  std::string classId() const { return station_ ? station_->of.id : options_.class_id; }
   std::string describeDevice() const {
     return simulated_.fast ? std::string(training::kNoBody) : training::describeDevice(bench_.hand);
   }
@@ -222,9 +223,9 @@ class TraineeCommand {
   void storeReferencedRows(training::Store& store) {
     training::StationRow station = training::simulatedStation(start_ms_);
     station.device = describeDevice();
-    if (member_) {
-      station.id = member_->station_id;
-      station.name = member_->name;
+    if (station_) {
+      station.id = station_->row.id;
+      station.name = station_->row.name;
     }
     store.save(station);
     store.save(training::makeProtocolRow(bench_.protocol));
@@ -285,9 +286,9 @@ class TraineeCommand {
     const std::string code = *training::codeTyped(typed);
     const bool alone = simulated_.trainees == 1;
     const training::TraineeRow row =
-        training::simulatedTrainee(classId(), code, start_ms_, member_ ? member_->trainee_key : std::string());
+        training::simulatedTrainee(classId(), code, start_ms_, station_ ? station_->trainee_key : std::string());
     // Stored again for a class, which may have forgotten a trainee who was away.
-    if (const auto known = store.trainee(row.id); !known || member_) store.save(known.value_or(row));
+    if (const auto known = store.trainee(row.id); !known || station_) store.save(known.value_or(row));
     training::TraineeCourse course;
     course.observer = alone ? observer_ : training::oneOfClass(observer_, simulated_.spread, seed_, number);
     course.lump_observer = lump_observer_;
@@ -351,7 +352,7 @@ class TraineeCommand {
   std::uint64_t seed_;
   std::int64_t start_ms_;
   training::TraineeBench bench_;
-  std::optional<classroom::Member> member_;  ///< for a class on the network
+  std::optional<training::ClassStation> station_;  ///< of a class on the network
   ProgressLine progress_;
   std::string person_;
   Json trainees_ = Json::array();

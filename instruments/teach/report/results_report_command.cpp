@@ -6,8 +6,9 @@
 #include "cli/kit/progress_line.h"
 #include "palpate/base/error.h"
 #include "palpate/base/language.h"
-#include "palpate/classroom/database_copy.h"
+#include "palpate/training/records/class_names.h"
 #include "report/recording/report_delivery.h"
+#include "teach/commands/class_part.h"
 #include "teach/commands/results_commands.h"
 #include "teach/report/training_report.h"
 
@@ -24,7 +25,8 @@ struct ResultsReportArguments {
 void runResultsReport(ResultsReportArguments arguments) {
   useLanguage(arguments.language);
   const ReportRequest& request = arguments.request;
-  const bool is_database = classroom::isDatabaseAddress(request.file.string());
+  const bool is_database = training::isDatabaseAddress(request.file.string());
+  if (is_database) classPart();  // perhaps another program's, before anything is shown
   ProgressLine progress;
   const std::filesystem::path page = resolvePagePath(request, is_database ? "class.html" : standardPage(request.file));
   arguments.settings.file = request.file;

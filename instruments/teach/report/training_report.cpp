@@ -12,7 +12,6 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/language.h"
-#include "palpate/classroom/database_copy.h"
 #include "palpate/training/psychometric.h"
 #include "palpate/training/records/trainee_code.h"
 #include "report/page/study_page.h"

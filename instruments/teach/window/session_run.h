@@ -15,6 +15,7 @@
 
 #include "palpate/engine/recorder.h"
 #include "palpate/training/records/recording_files.h"
+#include "palpate/training/records/trainee_code.h"
 #include "teach/window/task.h"
 #include "view/viewer/world/live_servo.h"
 

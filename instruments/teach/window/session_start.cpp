@@ -11,14 +11,12 @@ namespace palpate::viewer {
 
 namespace {
 
-/// The member's own, or the one that this record has always had.
-training::StationRow findStation(training::Store& store, const std::optional<classroom::Member>& member) {
+/// The class's own, or the one that this record has always had.
+training::StationRow findStation(training::Store& store, const std::optional<training::ClassStation>& of_class) {
+  if (of_class) return of_class->row;
   const std::vector<training::StationRow> known = store.stations();
   training::StationRow station;
-  if (member) {
-    station.id = member->station_id;
-    station.name = member->name;
-  } else if (!known.empty()) {
+  if (!known.empty()) {
     station = known.front();
   } else {
     station.id = training::makeUuidV7(training::utcMs(), training::systemRandom());
@@ -29,13 +27,10 @@ training::StationRow findStation(training::Store& store, const std::optional<cla
 
 /// Returns the station's id.
 training::Uuid storeNamedRows(training::Store& store, const TrainingSettings& settings, const SessionStart& start) {
-  training::StationRow station = findStation(store, settings.member);
+  training::StationRow station = findStation(store, settings.station);
   station.device = start.holder.words;
   store.save(station);
-  if (const auto& member = settings.member) {
-    store.save(
-        training::ClassRow{member->class_id, member->class_id, member->retention.days, member->retention.samples_days});
-  }
+  if (settings.station) store.save(settings.station->of);
   // Stored again for the class, which may have forgotten a trainee who was away for long.
   if (const auto trainee = store.trainee(start.who.trainee().id)) store.save(*trainee);
   store.save(training::makeProtocolRow(settings.protocol));

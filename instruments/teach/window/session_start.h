@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "palpate/classroom/class_settings.h"
+#include "palpate/training/session/class_part.h"
 #include "palpate/training/session/lump_bodies.h"
 #include "palpate/training/session/session.h"
 #include "teach/window/sign_in.h"
@@ -19,11 +19,11 @@ struct TrainingSettings {
   std::filesystem::path records;
   training::Protocol protocol = training::builtInProtocol();
   SignInSettings sign_in = {};
-  std::optional<std::uint64_t> seed = {};        ///< nothing: the system's randomness, another one for each session
-  bool recording_files = true;                   ///< trials are kept tick by tick
-  std::optional<std::string> speech = {};        ///< program
-  std::optional<classroom::Member> member = {};  ///< for a class with a live view
-  bool leads_back = false;                       ///< to the start page, from the sign-in
+  std::optional<std::uint64_t> seed = {};  ///< nothing: the system's randomness, another one for each session
+  bool recording_files = true;             ///< trials are kept tick by tick
+  std::optional<std::string> speech = {};  ///< program
+  std::optional<training::ClassStation> station = {};  ///< of a class with a live view
+  bool leads_back = false;                             ///< to the start page, from the sign-in
 };
 
 /// Holder of the trained finger, and what it can render.

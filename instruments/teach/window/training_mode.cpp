@@ -38,9 +38,9 @@ TrainingMode::~TrainingMode() { TrainingMode::finish("interrupted"); }
 
 void TrainingMode::begin(ViewerState& viewer, const scene::World& world, window::Gui& gui) {
   ground_ = makeGround(world, viewer.scene, settings_.protocol);
-  if (settings_.member) {
+  if (settings_.station) {
     const std::string app = engine::recordingHeader(viewer.ticks_per_s).software;
-    class_ = std::make_unique<ClassLine>(*settings_.member, store_, classroom::StationInfo{app, viewer.held_by});
+    class_ = settings_.station->connect(store_, app, viewer.held_by);
   }
   ViewState& state = viewer.state;
   state.shown = {.panel = true, .panel_right = true, .plots = false, .numbers = false, .reach = false};
@@ -244,7 +244,7 @@ void TrainingMode::storeNewRows() {
 /// Marks the record: a force that was cut off is not the trainee's.
 void TrainingMode::followSafety(const ViewerState& viewer) {
   if (std::exchange(stopped_, viewer.devices.stopped) == viewer.devices.stopped) return;
-  if (class_) class_->safety(stopped_ ? "emergency stop" : "ok");
+  if (class_) class_->publishSafety(stopped_ ? "emergency stop" : "ok");
   if (session() == nullptr) return;
   session()->safety(stopped_ ? "emergency stop" : "emergency stop released", run_->now());
 }
@@ -254,7 +254,7 @@ void TrainingMode::followClass() {
   if (!class_) return;
   class_->follow(session());
   while (const auto command = class_->popCommand()) {
-    using Kind = classroom::CommandKind;
+    using Kind = training::InstructorAct;
     if (command->kind == Kind::message) {
       message_ = command->text;
       if (!isAsked()) over_ = TrainingOver::message;

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "palpate/view/painter.h"
-#include "teach/window/class_line.h"
 #include "teach/window/session_run.h"
 #include "teach/window/session_start.h"
 #include "teach/window/voice.h"
@@ -85,7 +84,7 @@ class TrainingMode : public Mode {
   TrainingSettings settings_;
   training::Store store_;
   AsyncTask<int> tidying_;  ///< locks files that a killed run left open
-  std::unique_ptr<ClassLine> class_;
+  std::optional<training::ClassLink> class_;
   SignIn sign_in_;
   Voice voice_;
   TrainingGround ground_;

@@ -14,7 +14,7 @@ import mqtt
 from lab import Mend, attack, judged
 
 CLASS = "osteo-1"
-FOLDER = "instruments/teach/palpate/classroom/"
+FOLDER = "instruments/class/palpate/classroom/"
 KEEPER = FOLDER + "row_keeper.cpp"
 CONFIGURATION = FOLDER + "class_folder.cpp"
 NOW_MS = int(time.time() * 1000)

@@ -1,4 +1,4 @@
-// A class from the window, with a stand-in of palpate-teach that notes what it was asked to do.
+// A class from the window, with a stand-in of palpate-class that notes what it was asked to do.
 #include "view/viewer/class_run.h"
 
 #include <fstream>
@@ -15,7 +15,7 @@ class ClassInTheWindow : public testing::Test {
  protected:
   /// Lines of shell; "$1 $2" say which command it is.
   void install(const std::string& lines) const {
-    const fs::path program = folder_ / "palpate-teach";
+    const fs::path program = folder_ / "palpate-class";
     std::ofstream(program) << "#!/bin/sh\necho \"$@\" >> '" << (folder_ / "said.txt").string() << "'\n"
                            << lines << '\n';
     fs::permissions(program, fs::perms::owner_all);
@@ -29,7 +29,7 @@ class ClassInTheWindow : public testing::Test {
   std::string said() const { return support::contentOf(folder_ / "said.txt"); }
   Stage stage() const {
     ViewerHost host;
-    host.teach_program = folder_ / "palpate-teach";
+    host.class_program = folder_ / "palpate-class";
     host.activities = [] {
       constexpr ActivityState kHere = {.kind = ActivityState::Kind::here};
       return Activities{kHere, kHere, kHere};

@@ -115,7 +115,7 @@ void classDialog(const ClassShown& shown, const std::filesystem::path& folder, b
     joinPart(shown, folder, fields, output);
     ImGui::Separator();
   } else {
-    remark("Classes are not installed here: the program palpate-teach is missing.");
+    remark("Classes are not installed here: the program palpate-class is missing.");
   }
   if (!shown.trouble.empty()) {
     ImGui::PushTextWrapPos(0.0f);

@@ -114,7 +114,7 @@ void choices(const StartPage& page, bool& open, UiOutput& output) {
                                        toTranslate("How far skin follows, from two photographs"), "palpate-measure"};
   if (activityChoice(kMeasure, page, open, output)) output.act(window::Action::measure_person);
   constexpr ActivityChoice kClass = {Activity::classes, "start/class", toTranslate("Class ..."),
-                                     toTranslate("Teach several trainees, watch, or take part"), "palpate-teach"};
+                                     toTranslate("Teach several trainees, watch, or take part"), "palpate-class"};
   if (activityChoice(kClass, page, open, output)) output.request(ShowClass{});
 }
 

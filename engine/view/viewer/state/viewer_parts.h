@@ -88,7 +88,7 @@ struct ManualShown {
 
 /// A class that is run from this window.
 struct ClassShown {
-  bool offered = false;       ///< palpate-teach is installed
+  bool offered = false;       ///< palpate-class is installed
   std::string folder = {};    ///< folder of the running or starting class; empty: none
   bool runs = false;          ///< broker and collector
   bool watched = false;       ///< the teacher's view is open

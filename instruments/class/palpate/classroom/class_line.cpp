@@ -1,9 +1,9 @@
-#include "teach/window/class_line.h"
+#include "palpate/classroom/class_line.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace palpate::viewer {
+namespace palpate::classroom {
 
 void ClassLine::felt(const trace::Sample& sample) {
   const bool newer = sample.tick > pressing_.tick;
@@ -20,7 +20,7 @@ void ClassLine::follow(const training::Session* session) {
   if (seen_ != now) {
     seen_ = now;
     told_ = true;
-    link_.publishState(classroom::makeStationState(*session));
+    link_.publishState(makeStationState(*session));
   }
   const auto& sites = session->plan().sites.sites;
   const auto pressed =
@@ -33,4 +33,4 @@ void ClassLine::follow(const training::Session* session) {
                      .phase = session->screen()});
 }
 
-}  // namespace palpate::viewer
+}  // namespace palpate::classroom

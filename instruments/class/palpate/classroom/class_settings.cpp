@@ -16,7 +16,6 @@ namespace palpate::classroom {
 namespace {
 
 constexpr std::uint64_t kMaxMemberBytes = 65536;
-constexpr std::size_t kLongestClassWord = 32;
 constexpr NumberRange kPortRange = {1, 65535};
 
 std::filesystem::path fileNamed(const scene::TomlTable& table, const char* key, const std::filesystem::path& folder) {
@@ -136,11 +135,6 @@ std::string retentionText(const Retention& retention) {
       "# Days after a session for which rows, and recordings, are kept; `palpate train results purge` forgets what "
       "is older.\nretain_days = {}\nretain_samples_days = {}\n",
       retention.days, retention.samples_days);
-}
-
-bool isClassWord(std::string_view text) {
-  const auto plain = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
-  return !text.empty() && text.size() <= kLongestClassWord && text.front() != '-' && std::ranges::all_of(text, plain);
 }
 
 bool isStationName(std::string_view text) {

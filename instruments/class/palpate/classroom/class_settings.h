@@ -10,6 +10,7 @@
 
 #include "palpate/base/number_range.h"
 #include "palpate/base/words.h"
+#include "palpate/training/records/class_names.h"
 #include "palpate/training/records/rows.h"
 
 namespace palpate::scene {
@@ -65,8 +66,7 @@ std::string memberText(const Member& member);
 void readRetention(const scene::TomlTable& table, Retention& retention);
 std::string retentionText(const Retention& retention);
 
-/// A word allowed in a topic and in a certificate: lower-case letters, digits and hyphens, at most 32.
-bool isClassWord(std::string_view text);
+using training::isClassWord;
 /// A class word that is not the name of a role.
 bool isStationName(std::string_view text);
 

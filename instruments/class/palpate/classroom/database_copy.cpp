@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 #include "palpate/base/error.h"
 #include "palpate/classroom/postgres_sql.h"
 
@@ -22,13 +19,6 @@ void checkVersion(PostgresSql& sql, const std::string& called) {
 }
 
 }  // namespace
-
-bool isDatabaseAddress(std::string_view text) {
-  constexpr std::array<std::string_view, 5> kBeginnings = {"postgresql://", "postgres://",
-                                                           "dbname=", "host=", "service="};
-  return std::ranges::any_of(kBeginnings, [text](std::string_view word) { return text.starts_with(word); }) ||
-         text.find(" dbname=") != std::string_view::npos;
-}
 
 training::Store copyOfDatabase(const std::string& address) {
   PostgresSql sql(address);

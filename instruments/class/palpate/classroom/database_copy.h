@@ -5,14 +5,10 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "palpate/training/records/store.h"
 
 namespace palpate::classroom {
-
-/// "postgresql://...", or words as libpq has them: "host=/run/postgresql dbname=class". Anything else is a file.
-bool isDatabaseAddress(std::string_view text);
 
 /// The collector may go on meanwhile. The copy is called "database NAME", never by the address, which may hold a
 /// password. Throws DatabaseAway, or Error for a database that holds no training records of this version; nothing is

@@ -21,6 +21,7 @@
 #include "palpate/base/words.h"
 #include "palpate/training/protocol.h"
 #include "palpate/training/records/rows.h"
+#include "palpate/training/session/class_part.h"
 #include "palpate/training/session/session.h"
 
 namespace palpate::classroom {
@@ -91,18 +92,8 @@ struct LiveSample {
   training::Screen phase = training::Screen::trial;
 };
 
-enum class CommandKind : std::uint8_t {
-  pause,       ///< stops the trial's clock
-  go_on,       ///< after a pause
-  message,     ///< words for the trainee
-  next_block,  ///< put this block down and begin the next
-};
-/// Instructors' commands to a station. None affects force or device.
-struct Command {
-  CommandKind kind = CommandKind::pause;
-  std::string text;  ///< text of a message, at most 200 bytes
-  friend bool operator==(const Command&, const Command&) = default;
-};
+using CommandKind = training::InstructorAct;
+using Command = training::InstructorCommand;
 /// Older commands are ignored: the sender has already seen that nothing happened.
 inline constexpr double kCommandExpiryS = 10.0;
 inline constexpr std::size_t kMaxCommandText = 200;

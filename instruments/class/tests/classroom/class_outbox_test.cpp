@@ -6,14 +6,14 @@
 #include <set>
 #include <thread>
 
+#include "class/tests/classroom/class_broker.h"
+#include "class/tests/support/postgres_server.h"
 #include "palpate/classroom/class_store.h"
 #include "palpate/classroom/class_watch.h"
 #include "palpate/classroom/collector.h"
 #include "palpate/classroom/station_link.h"
 #include "palpate/training/records/deletion.h"
 #include "support/wait_for.h"
-#include "teach/tests/classroom/class_broker.h"
-#include "teach/tests/support/postgres_server.h"
 #include "teach/tests/training/records_samples.h"
 
 namespace palpate::classroom {

@@ -6,9 +6,9 @@
 #include <mutex>
 #include <set>
 
+#include "class/tests/classroom/class_broker.h"
 #include "palpate/classroom/messages.h"
 #include "support/wait_for.h"
-#include "teach/tests/classroom/class_broker.h"
 
 namespace palpate::classroom {
 namespace {

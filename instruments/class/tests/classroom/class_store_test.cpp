@@ -9,13 +9,13 @@
 #include <thread>
 #include <utility>
 
+#include "class/tests/support/postgres_server.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/classroom/collector.h"
 #include "palpate/classroom/database_copy.h"
 #include "palpate/training/records/store.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"
-#include "teach/tests/support/postgres_server.h"
 #include "teach/tests/training/records_old_rows.h"
 #include "teach/tests/training/records_pace.h"
 #include "teach/tests/training/records_suite.h"
@@ -205,7 +205,7 @@ TEST_F(ClassStoreTest, ACopyInMemoryHoldsEveryRowAndNeverSaysTheAddress) {
   const samples::History history = samples::history(3, 2, 12);
   ClassStore store(connection_);
   store.save(history.rows);
-  EXPECT_TRUE(isDatabaseAddress(connection_)) << connection_;
+  EXPECT_TRUE(training::isDatabaseAddress(connection_)) << connection_;
   training::Store copy = copyOfDatabase(connection_);
   EXPECT_EQ(samples::saidAll(copy.rows().all()), samples::saidAll(store.rows().all()));
   EXPECT_EQ(copy.file(), "database acopyinmemoryholdseveryrowandneversaystheaddress");
@@ -285,10 +285,10 @@ TEST(DatabaseAddress, WithAPasswordIsRefused) {
 TEST(DatabaseAddress, IsToldFromAFile) {
   for (const char* address : {"postgresql://teacher@localhost/osteo", "postgres:///osteo", "dbname=osteo",
                               "host=/run/postgresql dbname=osteo", "service=osteo", "user=me dbname=osteo"}) {
-    EXPECT_TRUE(isDatabaseAddress(address)) << address;
+    EXPECT_TRUE(training::isDatabaseAddress(address)) << address;
   }
   for (const char* file : {"class.results", "/home/a/dbname.results", "", "postgresql.results", "./host"}) {
-    EXPECT_FALSE(isDatabaseAddress(file)) << file;
+    EXPECT_FALSE(training::isDatabaseAddress(file)) << file;
   }
 }
 

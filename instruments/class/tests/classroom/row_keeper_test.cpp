@@ -6,12 +6,12 @@
 
 #include <memory>
 
+#include "class/tests/support/postgres_server.h"
 #include "palpate/base/error.h"
 #include "palpate/classroom/class_settings.h"
 #include "palpate/classroom/postgres_sql.h"
 #include "palpate/training/records/deletion.h"
 #include "palpate/training/records/store.h"
-#include "teach/tests/support/postgres_server.h"
 #include "teach/tests/training/records_samples.h"
 
 namespace palpate::classroom {

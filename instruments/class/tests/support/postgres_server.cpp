@@ -1,4 +1,4 @@
-#include "teach/tests/support/postgres_server.h"
+#include "class/tests/support/postgres_server.h"
 
 #include <signal.h>
 #include <sys/wait.h>

@@ -5,66 +5,17 @@
 #include <regex>
 #include <set>
 
+#include "kept_records.h"
 #include "palpate/base/text.h"
-#include "palpate/classroom/class_store.h"
-#include "palpate/classroom/collector.h"
 #include "palpate/trace/recording_reader.h"
-#include "palpate/trace/recording_writer.h"
-#include "palpate/training/records/recording_files.h"
 #include "support/run_command.h"
 #include "support/temporary_folder.h"
-#include "teach/tests/support/postgres_server.h"
-#include "teach/tests/training/records_samples.h"
 
 namespace palpate::app {
 namespace {
 
-namespace samples = training::samples;
 using support::runPalpate;
-using training::RecordingFiles;
 using training::Store;
-
-constexpr const char* kAnnasCode = "00000-00000";
-
-/// Two trainees' records beside a locked session of each session.
-struct Records {
-  support::TemporaryFolder folder;
-  training::TraineeRow anna = samples::trainee(kAnnasCode);
-  std::string file = (folder / "a.results").string();
-
-  Records() {
-    Store store(file, Store::Open::create_too);
-    std::vector<training::AnyRow> rows = samples::history(1, 2, 6).rows;
-    rows.emplace_back(anna);
-    const training::SessionRow session = samples::session(anna, 50);
-    training::BlockRow block = samples::block(session, 50);
-    Random random(3);
-    training::TrialRow trial = samples::trial(block, 50, 1, random);
-    trial.file_tick_first = 100;
-    trial.file_tick_last = 199;
-    rows.insert(rows.end(), {session, block, trial});
-    store.storeAnyRows(rows);
-    RecordingFiles files(store);
-    std::filesystem::create_directories(files.folder());
-    trace::RecordingWriter writer(files.pathOf(RecordingFiles::nameFor(session.id)),
-                                  {"2026-11-22T10:00:00Z", "test", "test", 1000.0, "", ""}, {{"finger", "hand"}});
-    trace::RecordingWorld world;
-    world.scene = "scene";
-    world.body = "torso";
-    world.fingers = {{"", ""}};
-    writer.add(world);
-    for (std::uint64_t tick = 0; tick < 400; ++tick) {
-      trace::Sample sample;
-      sample.tick = tick;
-      writer.add(sample);
-    }
-    writer.finish("done");
-    files.lock(session.id);
-  }
-  support::CommandResult results(const std::string& arguments) const {
-    return runPalpate("train results " + arguments, folder.path());
-  }
-};
 
 TEST(Results, CodesBecomeCardsOrATable) {
   const auto cards = runPalpate("train results codes --count 3 --class osteo-1");
@@ -170,69 +121,6 @@ TEST(Results, VerifyAnswersByItsExitCode) {
   const auto broken = records.results("verify a.results");
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_NE(broken.out.find("trial 2 is missing"), std::string::npos) << broken.out;
-}
-
-TEST(Results, OfAClassLieInPostgresAndAreReadWrittenAndForgottenAsInAFile) {
-  const auto server = support::PostgresServer::started();
-  if (server == nullptr) GTEST_SKIP() << support::PostgresServer::kNotInstalled;
-  const std::string address = server->connection("osteo");
-  const Records records;
-  {
-    Store file(records.file, Store::Open::existing);
-    classroom::ClassStore database(address);
-    database.save(file.rows().all());
-  }
-  const std::string quoted = "'" + address + "'";
-  for (const char* reading : {"list", "class", "trainee 00000-00000"}) {
-    const auto file = records.results(std::string(reading) + " a.results");
-    const auto database = records.results(std::string(reading) + " " + quoted);
-    EXPECT_EQ(database.exit_code, 0) << database.err;
-    EXPECT_EQ(database.out, file.out) << reading;
-  }
-  EXPECT_EQ(records.results("export a.results --csv one").exit_code, 0);
-  EXPECT_EQ(records.results("export " + quoted + " --csv other").exit_code, 0);
-  for (const auto& entry : std::filesystem::directory_iterator(records.folder / "one")) {
-    EXPECT_EQ(support::contentOf(records.folder / "other" / entry.path().filename()), support::contentOf(entry.path()));
-  }
-  const auto page = runPalpate("train results report " + quoted, records.folder.path());
-  EXPECT_EQ(page.exit_code, 0) << page.err;
-  EXPECT_NE(page.out.find("database osteo -> class.html"), std::string::npos) << page.out;
-  const auto verified = nlohmann::json::parse(records.results("verify --json " + quoted).out);
-  EXPECT_EQ(verified.at("trials"), 13);
-  EXPECT_EQ(verified.at("faults").size(), 0u) << "recordings are at the stations: " << verified.dump(2);
-
-  EXPECT_EQ(records.results("delete --trainee 00000-00000 " + quoted).exit_code, 1) << "nobody typed yes";
-  const auto deleted = records.results("delete --yes --json --trainee 00000-00000 " + quoted);
-  EXPECT_EQ(deleted.exit_code, 0) << deleted.err;
-  EXPECT_EQ(nlohmann::json::parse(deleted.out).at("trials"), 1);
-  EXPECT_EQ(records.results("trainee 00000-00000 " + quoted).exit_code, 2);
-  EXPECT_EQ(nlohmann::json::parse(records.results("purge --dry-run --json " + quoted).out).at("sittings"), 2);
-  EXPECT_EQ(nlohmann::json::parse(records.results("class --json " + quoted).out).at("trainees").size(), 1u);
-  EXPECT_EQ(nlohmann::json::parse(records.results("purge --json " + quoted).out).at("sittings"), 2);
-  EXPECT_EQ(nlohmann::json::parse(records.results("class --json " + quoted).out).at("trainees").size(), 0u);
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(records.folder.path())) {
-    EXPECT_EQ(entry.path().string().find("osteo"), std::string::npos) << "no file is named after the address";
-  }
-}
-
-TEST(Results, OfAClassAreWholeWithoutTheRecordingFilesThatLieAtItsStations) {
-  const Records records;
-  std::string trial;
-  {
-    Store station(records.file, Store::Open::existing);
-    std::vector<classroom::SentRow> rows;
-    for (training::AnyRow& row : station.rows().all()) rows.push_back({std::move(row)});
-    classroom::fileSink(records.folder / "class.results")->save(rows);
-    trial = station.trials(station.blocks(station.sessions(records.anna.id).front().id).front().id).front().id;
-  }
-  std::filesystem::remove_all(records.folder / "sessions");
-  EXPECT_EQ(records.results("verify a.results").exit_code, 1) << "at the station they are missed";
-  const auto whole = records.results("verify class.results");
-  EXPECT_EQ(whole.exit_code, 0) << whole.out;
-  EXPECT_NE(whole.out.find("at the stations"), std::string::npos) << whole.out;
-  const auto replayed = records.results("replay " + trial + " class.results --out a.session");
-  EXPECT_EQ(replayed.exit_code, 2);
-  EXPECT_NE(replayed.err.find("stay at the station"), std::string::npos) << replayed.err;
 }
 
 TEST(Results, OfADatabaseThatIsNotThereAreRefusedInOneLine) {

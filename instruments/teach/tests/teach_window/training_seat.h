@@ -79,7 +79,7 @@ class TrainingSeat {
  public:
   explicit TrainingSeat(const std::filesystem::path& records, std::optional<training::SessionKind> kind = {},
                         const training::Protocol& protocol = training::builtInProtocol(),
-                        const std::optional<classroom::Member>& member = {}) {
+                        const std::optional<training::ClassStation>& station = {}) {
     ViewerSettings settings;
     settings.intro = false;
     settings.output_folder = records.parent_path();
@@ -87,8 +87,8 @@ class TrainingSeat {
     of_training.records = records;
     of_training.protocol = protocol;
     of_training.seed = 5;
-    of_training.sign_in = {.class_id = member ? member->class_id : "", .code = someCode(), .kind = kind};
-    of_training.member = member;
+    of_training.sign_in = {.class_id = station ? station->of.id : "", .code = someCode(), .kind = kind};
+    of_training.station = station;
     auto training_mode = std::make_unique<TrainingMode>(of_training);
     training = training_mode.get();
     settings.modes.push_back(std::move(training_mode));

@@ -8,7 +8,6 @@
 #include <set>
 
 #include "palpate/base/error.h"
-#include "palpate/classroom/class_folder.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/trace/database.h"
 #include "palpate/trace/recording_reader.h"
@@ -537,12 +536,55 @@ TEST_F(TrainingWindow, KeepsEachAnswerAtOnceWithItsTicksInTheRecordingFile) {
   EXPECT_NEAR(peak_n, kept.peak_force_n, 1e-6) << "the file has what the trial was about";
 }
 
+/// A class that notes what it is told, and whose instructor says what is put in `commands`.
+struct SilentClass {
+  training::ClassStation station = {
+      .of = {.id = "osteo-1", .label = "osteo-1"},
+      .row = {.id = training::makeUuidV7(1, {2, 3}), .name = "s01"},
+      .trainee_key = {},
+      .connect = [this](training::Store& store, const std::string&, const std::string&) {
+        store.fillOutbox(true);
+        return training::ClassLink{.felt = [](const trace::Sample&) {},
+                                   .follow = [this](const training::Session* session) { follows = session != nullptr; },
+                                   .publishSafety = [](const std::string&) {},
+                                   .popCommand = [this]() -> std::optional<training::InstructorCommand> {
+                                     if (commands.empty()) return std::nullopt;
+                                     const training::InstructorCommand oldest = commands.front();
+                                     commands.erase(commands.begin());
+                                     return oldest;
+                                   }};
+      }};
+  std::vector<training::InstructorCommand> commands;
+  bool follows = false;
+};
+
+TEST_F(TrainingWindow, OfAClassDoesWhatItsInstructorAsks) {
+  SilentClass silent;
+  TrainingSeat stage(records, SessionKind::practice, training::builtInProtocol(), silent.station);
+  stage.comeIn();
+  ASSERT_TRUE(stage.begin());
+  stage.frame();
+  EXPECT_TRUE(silent.follows);
+  using training::InstructorAct;
+  silent.commands = {{InstructorAct::pause, ""}};
+  stage.frames(2);
+  EXPECT_TRUE(stage.session().paused());
+  silent.commands = {{InstructorAct::go_on, ""}};
+  stage.frames(2);
+  EXPECT_FALSE(stage.session().paused());
+  silent.commands = {{InstructorAct::message, "more slowly, please"}};
+  stage.frames(2);
+  EXPECT_NE(stage.words().find("more slowly, please"), std::string::npos) << stage.words();
+  silent.commands = {{InstructorAct::next_block, ""}};
+  stage.frames(2);
+  EXPECT_EQ(stage.training->session(), nullptr);
+  EXPECT_FALSE(silent.follows);
+}
+
 TEST_F(TrainingWindow, OfAClassSaysAnewWhoSitsAndForHowLongThingsAreKept) {
-  classroom::ClassPlan plan;
-  plan.class_id = "osteo-1";
-  plan.port = 1;  // where no broker listens
-  plan.retention = {.days = 30, .samples_days = 10};
-  const classroom::ClassFolder made = classroom::makeClassFolder(folder / "class", plan);
+  SilentClass silent;
+  silent.station.of.retain_days = 30;
+  silent.station.of.retain_samples_days = 10;
   const training::TraineeRow known{training::derivePseudonym("osteo-1", someCode()), "osteo-1", 1, "left", true, ""};
   {  // was here years ago, and the class knows all of it
     training::Store store(records, training::Store::Open::create_too);
@@ -551,8 +593,7 @@ TEST_F(TrainingWindow, OfAClassSaysAnewWhoSitsAndForHowLongThingsAreKept) {
     for (const training::OutboxEntry& entry : store.waiting(100)) store.acknowledged({&entry.row, 1});
   }
   {
-    TrainingSeat stage(records, SessionKind::practice, training::builtInProtocol(),
-                       classroom::readMember(made.station("s01")));
+    TrainingSeat stage(records, SessionKind::practice, training::builtInProtocol(), silent.station);
     ASSERT_TRUE(stage.settled());
     stage.viewer->finish();
   }

@@ -32,7 +32,7 @@ void forgetWaiting(Store& store, const Uuid& session) {
   }
 }
 
-/// In a class's records: what stations still send of this session is known by it (classroom/row_keeper.h).
+/// In a class's records: what stations still send of this session is known by it (its collector).
 void noteParts(Store& store, const SessionRow& session) {
   const auto note = [&store](const Uuid& id) { store.rows().note(utcMs(), "collector", "deleted", deletedMark(id)); };
   for (const BlockRow& block : store.blocks(session.id)) note(block.id);

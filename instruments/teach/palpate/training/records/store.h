@@ -1,7 +1,7 @@
 // The record of a station: an SQLite file that holds every trainee, session, block and trial, and the outbox of rows
 // that a class has not acknowledged yet. Rows are on the disk once `save` returns.
 //
-//   Session::drainRows ─ save ─► NAME.results ─► reports, exports, outbox ─► class (room `classroom`)
+//   Session::drainRows ─ save ─► NAME.results ─► reports, exports, outbox ─► class
 //
 // STRICT tables, WAL, synchronous FULL, foreign keys. One thread at a time; any number of processes.
 #pragma once

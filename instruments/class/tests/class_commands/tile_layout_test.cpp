@@ -1,5 +1,5 @@
 // The tiles of a class: seen without scrolling, and as large as the window allows.
-#include "teach/class_window/class_window.h"
+#include "class/window/class_window.h"
 
 #include <gtest/gtest.h>
 
