@@ -322,8 +322,8 @@ TEST_F(TrainingDoor, MakesACodeForWhoeverHasNone) {
 TEST_F(TrainingDoor, GoesStraightToWhatWasAskedFor) {
   SignIn door = signIn({.code = someCode(), .kind = SessionKind::exam});
   agree(door);
-  EXPECT_EQ(door.consumeChoice(), SessionKind::exam);
-  EXPECT_EQ(door.consumeChoice(), std::nullopt);
+  EXPECT_EQ(door.consumeChoice(false), SessionKind::exam);
+  EXPECT_EQ(door.consumeChoice(false), std::nullopt);
   door.returnToChoice();
   EXPECT_EQ(door.stage(), TrainingStage::choice);
 }
