@@ -1,4 +1,4 @@
-#include "class/commands/class_commands.h"
+#include "class/commands/class_load.h"
 
 #include <fmt/format.h>
 

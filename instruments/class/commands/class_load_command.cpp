@@ -1,4 +1,4 @@
-// `palpate class load DIR`, which the help does not list: a class of simulated stations (class_commands.h), and the
+// `palpate class load DIR`, which the help does not list: a class of simulated stations (class_load.h), and the
 // servo loop alongside one station's link. tools/check-class runs it.
 #include <fmt/format.h>
 
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "class/commands/class_commands.h"
+#include "class/commands/class_load.h"
 #include "cli/kit/interruption.h"
 #include "cli/kit/json.h"
 #include "cli/kit/number_option.h"

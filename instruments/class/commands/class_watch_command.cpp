@@ -22,6 +22,7 @@
 #include "palpate/base/text.h"
 #include "palpate/classroom/class_folder.h"
 #include "palpate/classroom/class_settings.h"
+#include "palpate/classroom/class_watch.h"
 #include "palpate/scene/presets.h"
 #include "palpate/scene/scene_file.h"
 #include "palpate/scene/world.h"

@@ -1,4 +1,4 @@
-#include "palpate/classroom/class_watch.h"
+#include "palpate/classroom/class_board.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "palpate/classroom/station_link.h"
+#include "palpate/classroom/outbox_sender.h"
 
 #include <algorithm>
 #include <cmath>

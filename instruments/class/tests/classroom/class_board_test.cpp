@@ -1,6 +1,6 @@
 // What an instructor sees: messages become tiles, who needs help comes first and for the right reason, old data are
 // shown as old, and the class's curve is the median of its trainees.
-#include "palpate/classroom/class_watch.h"
+#include "palpate/classroom/class_board.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What a station sends of its outbox: not faster than allowed, again after a while, little as long as nobody answers;
 // and no command after its time.
-#include "palpate/classroom/station_link.h"
+#include "palpate/classroom/outbox_sender.h"
 
 #include <gtest/gtest.h>
 
