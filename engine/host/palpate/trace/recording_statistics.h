@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "palpate/base/progress.h"
+#include "palpate/trace/bounded_series.h"
 #include "palpate/trace/finger_course.h"
 #include "palpate/trace/recording_reader.h"
 #include "palpate/trace/sample.h"
