@@ -12,28 +12,28 @@ namespace palpate::app {
 namespace {
 
 using training::LumpGroup;
-using training::LumpRate;
 using training::LumpSessionResult;
 using training::LumpStatistics;
-using training::SaidGrades;
+using training::Rate;
+
 std::string formatWholePercent(double share) { return fmt::format("{:.0f} %", WrittenNumber{100.0 * share}); }
 
 /// "12 of 18, 67 % (44 to 84 %)"
-std::string formatRate(const LumpRate& rate) {
-  if (rate.whole == 0) return "–";
+std::string formatRate(const Rate& rate) {
+  if (rate.whole == 0) return kNoValue;
   const training::ShareInterval interval = rate.interval();
   return trf("{} of {}, {} ({} to {})", rate.part, rate.whole, formatWholePercent(rate.share()),
              formatWholePercent(interval.low), formatWholePercent(interval.high));
 }
 
 std::string formatCueThreshold(const lumps::CueThreshold& threshold) {
-  if (!(threshold.median > 0.0)) return "–";
+  if (!(threshold.median > 0.0)) return kNoValue;
   const auto number = [](double value) { return fmt::format("{:.2g}", WrittenNumber{value}); };
   return trf("{} ({} to {})", number(threshold.median), number(threshold.low), number(threshold.high));
 }
 
 std::string formatDPrime(const LumpStatistics& statistics) {
-  if (!statistics.prime) return "–";
+  if (!statistics.prime) return kNoValue;
   const auto number = [](double value) { return fmt::format("{:.1f}", WrittenNumber{value}); };
   return trf("{} ({} to {})", number(statistics.prime->value), number(statistics.prime->low),
              number(statistics.prime->high));
@@ -46,8 +46,8 @@ std::string groupName(const LumpGroup& group) {
 }
 
 std::string verdictText(const LumpSessionResult& sitting) {
-  if (sitting.block.verdict == training::Verdict::none) return sitting.block.finished ? "–" : tr("interrupted");
-  return sitting.block.verdict == training::Verdict::pass ? tr("pass") : tr("not yet");
+  const bool broken_off = sitting.block.verdict == training::Verdict::none && !sitting.block.finished;
+  return broken_off ? tr("interrupted") : verdictName(sitting.block.verdict);
 }
 
 std::string sittingsTable(const LumpGroup& group, bool of_class) {
@@ -72,56 +72,44 @@ std::string sittingsTable(const LumpGroup& group, bool of_class) {
   return tableOf("numbers", head, rows);
 }
 
-void addGrades(std::vector<Cells>& rows, const char* format, const lumps::Grades& grades,
-               const std::array<LumpRate, lumps::kGrades>& rates) {
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    if (rates[i].whole == 0) continue;
-    rows.push_back({fmt::format(fmt::runtime(tr(format)), grades[i]), formatRate(rates[i])});
-  }
+std::string gradeName(const LumpGroup& group, const training::LumpTrait& trait, std::size_t grade) {
+  return fmt::format(fmt::runtime(tr(trait.words)), (group.task.*trait.grades)[grade]);
 }
 
 std::string kindsTable(const LumpGroup& group) {
   std::vector<Cells> rows;
-  addGrades(rows, toTranslate("{:g} mm large"), group.task.diameters_mm, group.all.by_size);
-  addGrades(rows, toTranslate("{:g} mm deep"), group.task.depths_mm, group.all.by_depth);
-  addGrades(rows, toTranslate("{:g} times as stiff"), group.task.ratios, group.all.by_hardness);
+  for (const training::LumpTrait& trait : training::kLumpTraits) {
+    for (std::size_t grade = 0; grade < lumps::kGrades; ++grade) {
+      const Rate& found = (group.all.*trait.counted).found[grade];
+      if (found.whole > 0) rows.push_back({gradeName(group, trait, grade), formatRate(found)});
+    }
+  }
   rows.push_back({tr("fixed"), formatRate(group.all.fixed)});
   rows.push_back({tr("mobile"), formatRate(group.all.mobile)});
   rows.push_back({tr("all"), formatRate(group.all.found)});
   return tableOf("numbers", {tr("lumps"), tr("found (95 %)")}, rows);
 }
 
-void addSaid(std::vector<Cells>& rows, const char* format, const lumps::Grades& grades, const SaidGrades& said) {
-  for (std::size_t truth = 0; truth < said.size(); ++truth) {
-    Cells row = {fmt::format(fmt::runtime(tr(format)), grades[truth])};
-    for (const int count : said[truth]) row.push_back(fmt::format("{}", count));
-    rows.push_back(std::move(row));
-  }
-}
-
 std::string saidTable(const LumpGroup& group) {
   std::vector<Cells> rows;
-  addSaid(rows, toTranslate("{:g} mm large"), group.task.diameters_mm, group.all.size);
-  addSaid(rows, toTranslate("{:g} mm deep"), group.task.depths_mm, group.all.depth);
-  addSaid(rows, toTranslate("{:g} times as stiff"), group.task.ratios, group.all.hardness);
+  for (const training::LumpTrait& trait : training::kLumpTraits) {
+    for (std::size_t grade = 0; grade < lumps::kGrades; ++grade) {
+      Cells& row = rows.emplace_back(Cells{gradeName(group, trait, grade)});
+      for (const int count : (group.all.*trait.counted).said[grade]) row.push_back(fmt::format("{}", count));
+    }
+  }
   return tableOf("numbers",
                  {tr("lumps that were found"), tr("answered: least"), tr("answered: middle"), tr("answered: most")},
                  rows);
 }
 
-Json rateJson(const LumpRate& rate) {
+Json rateJson(const Rate& rate) {
   const training::ShareInterval interval = rate.interval();
   return {{"part", rate.part},
           {"whole", rate.whole},
           {"share", rate.share()},
           {"low", interval.low},
           {"high", interval.high}};
-}
-
-Json ratesJson(const std::array<LumpRate, lumps::kGrades>& rates) {
-  Json json = Json::array();
-  for (const LumpRate& rate : rates) json.push_back(rateJson(rate));
-  return json;
 }
 
 Json lumpStatisticsJson(const LumpStatistics& statistics) {
@@ -136,14 +124,15 @@ Json lumpStatisticsJson(const LumpStatistics& statistics) {
         {"value", statistics.prime->value}, {"low", statistics.prime->low}, {"high", statistics.prime->high}};
   }
   json["cue"] = {{"median", counts.threshold.median}, {"low", counts.threshold.low}, {"high", counts.threshold.high}};
-  json["by_size"] = ratesJson(statistics.by_size);
-  json["by_depth"] = ratesJson(statistics.by_depth);
-  json["by_hardness"] = ratesJson(statistics.by_hardness);
+  for (const training::LumpTrait& trait : training::kLumpTraits) {
+    Json& rates = json[fmt::format("by_{}", trait.name)] = Json::array();
+    for (const Rate& rate : (statistics.*trait.counted).found) rates.push_back(rateJson(rate));
+  }
   json["fixed"] = rateJson(statistics.fixed);
   json["mobile"] = rateJson(statistics.mobile);
-  json["said_size"] = statistics.size;
-  json["said_depth"] = statistics.depth;
-  json["said_hardness"] = statistics.hardness;
+  for (const training::LumpTrait& trait : training::kLumpTraits) {
+    json[fmt::format("said_{}", trait.name)] = (statistics.*trait.counted).said;
+  }
   json["mobility_right"] = rateJson(statistics.mobility_right);
   json["error_mm"] = {{"count", statistics.error_mm.count},
                       {"median", statistics.error_mm.median},

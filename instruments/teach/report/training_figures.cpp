@@ -49,12 +49,51 @@ figures::Axis changeAxis(std::string label, double least, double most) {
           .ticks = changeTicks(least, most)};
 }
 
+/// Estimates with their intervals, in per cent: a line with a band, or markers with bars.
+struct Estimates {
+  std::vector<double> x, middle, low, high;
+
+  /// All but the place are shares.
+  void add(double place, double share, double from, double to) {
+    x.push_back(place);
+    middle.push_back(100.0 * share);
+    low.push_back(100.0 * from);
+    high.push_back(100.0 * to);
+  }
+  Shape band(const std::string& name, const figures::Colour& colour) const {
+    Shape shape{.name = name, .stroke = Stroke::none, .colour = colour, .fill = colour};
+    std::vector<Vec2> outline;
+    for (std::size_t i = 0; i < x.size(); ++i) outline.emplace_back(x[i], low[i]);
+    for (std::size_t i = x.size(); i-- > 0;) outline.emplace_back(x[i], high[i]);
+    shape.paths.push_back(std::move(outline));
+    return shape;
+  }
+  Shape blueBand() const { return band(tr("95 % band"), figures::withAlpha(figures::kBlue, 0.18)); }
+  Series line(const std::string& name, double width_px) const {
+    return {.name = name, .x = x, .y = middle, .colour = figures::kBlue, .width_px = width_px};
+  }
+  /// With bars, whose short ends have this half width.
+  void addMarkers(const std::string& name, Marker marker, const figures::Colour& colour, double half_width,
+                  Plot& plot) const {
+    Shape bars{.closed = false, .stroke = Stroke::solid, .colour = colour, .width_px = 1.3};
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      bars.paths.push_back({{x[i], low[i]}, {x[i], high[i]}});
+      if (half_width == 0.0) continue;
+      for (const double end : {low[i], high[i]})
+        bars.paths.push_back({{x[i] - half_width, end}, {x[i] + half_width, end}});
+    }
+    plot.shapes.push_back(std::move(bars));
+    plot.series.push_back(
+        {.name = name, .x = x, .y = middle, .stroke = Stroke::none, .marker = marker, .colour = colour});
+  }
+};
+
 /// A range of changes in per cent that shows all of these.
 struct ShownChanges {
   double least = 100.0, most = 5.0;
-  void add(double share) {
-    least = std::min(least, 100.0 * share);
-    most = std::max(most, 100.0 * share);
+  void add(const Estimates& shown) {
+    for (const double low : shown.low) least = std::min(least, low);
+    for (const double high : shown.high) most = std::max(most, high);
   }
   figures::Axis axis(std::string label) const {
     return changeAxis(std::move(label), std::max(1.5, least / 1.15), std::min(200.0, most * 1.15));
@@ -70,26 +109,7 @@ figures::Axis occasionAxis(const std::vector<std::string>& words) {
   return axis;
 }
 
-/// Upright lines with short ends.
-void addErrorBar(Shape& bars, double x, double low, double high, double half_width) {
-  bars.paths.push_back({{x, low}, {x, high}});
-  bars.paths.push_back({{x - half_width, low}, {x + half_width, low}});
-  bars.paths.push_back({{x - half_width, high}, {x + half_width, high}});
-}
-
-Shape errorBars(const figures::Colour& colour) {
-  return {.closed = false, .stroke = Stroke::solid, .colour = colour, .width_px = 1.3};
-}
-
-Shape curveBand(const std::string& name, const std::vector<double>& x, const std::vector<double>& low,
-                const std::vector<double>& high, const figures::Colour& colour) {
-  Shape band{.name = name, .stroke = Stroke::none, .colour = colour, .fill = colour};
-  std::vector<Vec2> outline;
-  for (std::size_t i = 0; i < x.size(); ++i) outline.emplace_back(x[i], low[i]);
-  for (std::size_t i = x.size(); i-- > 0;) outline.emplace_back(x[i], high[i]);
-  band.paths.push_back(std::move(outline));
-  return band;
-}
+void addSentence(std::string& text, const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; }
 
 figures::Figure wideFigure(Plot plot, double height_px) {
   figures::Figure figure;
@@ -103,45 +123,35 @@ figures::Figure wideFigure(Plot plot, double height_px) {
 
 /// Quartiles of the class where the trainee's occasions have them.
 void addOthers(const TraineeStatistics& trainee, const std::vector<Occasion>& others, ShownChanges& shown, Plot& plot) {
-  std::vector<double> x, low, high, middle;
+  Estimates quartiles;
   for (std::size_t i = 0; i < trainee.curve.size(); ++i) {
     const ThresholdPoint& point = trainee.points[trainee.curve[i].point];
     const auto at = std::ranges::find_if(
         others, [&](const Occasion& each) { return each.kind == point.kind && each.nth == point.nth; });
     if (at == others.end()) continue;
-    x.push_back(static_cast<double>(i + 1));
-    low.push_back(100.0 * at->medians.lower_quartile);
-    high.push_back(100.0 * at->medians.upper_quartile);
-    middle.push_back(100.0 * at->medians.median);
-    shown.add(at->medians.lower_quartile);
-    shown.add(at->medians.upper_quartile);
+    const training::Spread& medians = at->medians;
+    quartiles.add(static_cast<double>(i + 1), medians.median, medians.lower_quartile, medians.upper_quartile);
   }
-  if (x.size() < 2) return;
-  plot.shapes.push_back(
-      curveBand(tr("middle half of the class"), x, low, high, figures::withAlpha(kQuartileColour, 0.45)));
+  shown.add(quartiles);
+  if (quartiles.x.size() < 2) return;
+  plot.shapes.push_back(quartiles.band(tr("middle half of the class"), figures::withAlpha(kQuartileColour, 0.45)));
   plot.series.push_back({.name = tr("class median"),
-                         .x = x,
-                         .y = middle,
+                         .x = quartiles.x,
+                         .y = quartiles.middle,
                          .stroke = Stroke::dashed,
                          .colour = figures::mixed(kQuartileColour, figures::kInk, 0.4),
                          .width_px = 1.2});
 }
 
 void addFiltered(const TraineeStatistics& trainee, ShownChanges& shown, Plot& plot) {
-  std::vector<double> x, low, high, middle;
+  Estimates so_far;
   for (std::size_t i = 0; i < trainee.curve.size(); ++i) {
     const auto& filtered = trainee.curve[i].filtered;
-    x.push_back(static_cast<double>(i + 1));
-    low.push_back(100.0 * filtered.low);
-    high.push_back(100.0 * filtered.high);
-    middle.push_back(100.0 * filtered.median);
-    shown.add(filtered.low);
-    shown.add(filtered.high);
+    so_far.add(static_cast<double>(i + 1), filtered.median, filtered.low, filtered.high);
   }
-  if (x.size() > 1) {
-    plot.shapes.push_back(curveBand(tr("95 % band"), x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
-  }
-  plot.series.push_back({.name = tr("so far"), .x = x, .y = middle, .colour = figures::kBlue, .width_px = 2.2});
+  shown.add(so_far);
+  if (so_far.x.size() > 1) plot.shapes.push_back(so_far.blueBand());
+  plot.series.push_back(so_far.line(tr("so far"), 2.2));
 }
 
 /// The exponential, between the blocks too.
@@ -157,27 +167,16 @@ void addLearning(const TraineeStatistics& trainee, Plot& plot) {
 
 /// Each block alone, with its 95 % interval.
 void addBlocks(const TraineeStatistics& trainee, bool tests, ShownChanges& shown, Plot& plot) {
-  const figures::Colour colour = tests ? figures::kVermilion : figures::kInk;
-  Series points{.name = tests ? tr("a test by itself, 95 % interval") : tr("practice by itself, 95 % interval"),
-                .x = {},
-                .y = {},
-                .stroke = Stroke::none,
-                .marker = tests ? Marker::square : Marker::circle,
-                .colour = colour};
-  Shape bars = errorBars(colour);
+  Estimates blocks;
   for (std::size_t i = 0; i < trainee.curve.size(); ++i) {
     const ThresholdPoint& point = trainee.points[trainee.curve[i].point];
     if (training::isTest(point.kind) != tests) continue;
-    const double x = static_cast<double>(i + 1);
-    points.x.push_back(x);
-    points.y.push_back(100.0 * point.threshold->median);
-    addErrorBar(bars, x, 100.0 * point.threshold->low, 100.0 * point.threshold->high, 0.06);
-    shown.add(point.threshold->low);
-    shown.add(point.threshold->high);
+    blocks.add(static_cast<double>(i + 1), point.threshold->median, point.threshold->low, point.threshold->high);
   }
-  if (points.x.empty()) return;
-  plot.shapes.push_back(std::move(bars));
-  plot.series.push_back(std::move(points));
+  shown.add(blocks);
+  if (blocks.x.empty()) return;
+  blocks.addMarkers(tests ? tr("a test by itself, 95 % interval") : tr("practice by itself, 95 % interval"),
+                    tests ? Marker::square : Marker::circle, tests ? figures::kVermilion : figures::kInk, 0.06, plot);
 }
 
 /// Describes many occasions by the first, the last and the direction; the table has all.
@@ -194,7 +193,7 @@ std::string formatAnswerBoxes(const std::vector<AnswerBox>& boxes, double scale,
   for (const AnswerBox& box : boxes) {
     const int decimals = scale * box.middle < 10.0 ? 1 : 0;
     words += (words.empty() ? "" : ", ") +
-             trf("at {:.{}f}{} {} of {}", scale * box.middle, decimals, unit, box.correct, box.trials);
+             trf("at {:.{}f}{} {} of {}", scale * box.middle, decimals, unit, box.right.part, box.right.whole);
   }
   return words;
 }
@@ -202,16 +201,12 @@ std::string formatAnswerBoxes(const std::vector<AnswerBox>& boxes, double scale,
 /// Shares in per cent with Wilson's intervals.
 void addBoxes(const std::vector<AnswerBox>& boxes, double scale, const std::string& name, const figures::Colour& colour,
               Marker marker, Plot& plot) {
-  Series points{.name = name, .x = {}, .y = {}, .stroke = Stroke::none, .marker = marker, .colour = colour};
-  Shape bars = errorBars(colour);
+  Estimates shares;
   for (const AnswerBox& box : boxes) {
-    points.x.push_back(scale * box.middle);
-    points.y.push_back(100.0 * box.share);
-    bars.paths.push_back(
-        {{scale * box.middle, 100.0 * box.interval.low}, {scale * box.middle, 100.0 * box.interval.high}});
+    const training::ShareInterval interval = box.right.interval();
+    shares.add(scale * box.middle, box.right.share(), interval.low, interval.high);
   }
-  plot.shapes.push_back(std::move(bars));
-  plot.series.push_back(std::move(points));
+  shares.addMarkers(name, marker, colour, 0.0, plot);
 }
 
 figures::Axis rightAxis(const std::string& label) { return {.label = label, .unit = "%", .from = 0.0, .to = 100.0}; }
@@ -227,14 +222,11 @@ Plot fitPlot(const ThresholdPoint& point) {
   Plot plot{.title = fmt::format("{}, {}", occasionName(point.kind, point.nth), formatDay(point.start_ms))};
   plot.x = changeAxis(tr("change"), 3.0, 100.0);
   plot.y = rightAxis(tr("right answers"));
-  std::vector<double> x, low, high, mean;
+  Estimates fitted;
   for (std::size_t i = 0; i < curve.changes.size(); ++i) {
-    x.push_back(100.0 * curve.changes[i]);
-    low.push_back(100.0 * curve.low[i]);
-    high.push_back(100.0 * curve.high[i]);
-    mean.push_back(100.0 * curve.mean[i]);
+    fitted.add(100.0 * curve.changes[i], curve.mean[i], curve.low[i], curve.high[i]);
   }
-  plot.shapes.push_back(curveBand(tr("95 % band"), x, low, high, figures::withAlpha(figures::kBlue, 0.18)));
+  plot.shapes.push_back(fitted.blueBand());
   const double t = 100.0 * point.threshold->median;
   plot.shapes.push_back({.name = tr("smallest reliable change"),
                          .paths = {{{t, 0.0}, {t, 100.0}}},
@@ -243,7 +235,7 @@ Plot fitPlot(const ThresholdPoint& point) {
                          .colour = figures::kVermilion,
                          .width_px = 1.6});
   plot.series.push_back(levelLine(tr("chance"), 3.0, 100.0, 100.0 / point.choices));
-  plot.series.push_back({.name = tr("fitted"), .x = x, .y = mean, .colour = figures::kBlue, .width_px = 2.2});
+  plot.series.push_back(fitted.line(tr("fitted"), 2.2));
   addBoxes(point.trials.boxes, 100.0, tr("answers, neighbouring changes together"), figures::kInk, Marker::circle,
            plot);
   return plot;
@@ -284,28 +276,17 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
   const std::vector<Occasion>& occasions = statistics.all.occasions;
   Plot plot;
   ShownChanges shown;
-  std::vector<double> x, low, high, middle;
+  Estimates quartiles, reach, group;
   std::vector<std::string> words;
   Series everybody{.name = tr("a trainee"), .x = {}, .y = {}, .stroke = Stroke::none, .marker = Marker::circle};
   everybody.colour = figures::withAlpha(figures::kSky, 0.45);
-  Series group{.name = tr("mean of the group, 95 % interval"),
-               .x = {},
-               .y = {},
-               .stroke = Stroke::none,
-               .marker = Marker::diamond};
-  group.colour = figures::kVermilion;
-  Shape bars = errorBars(figures::kVermilion);
-  bars.width_px = 1.8;
   for (std::size_t i = 0; i < occasions.size(); ++i) {
     const Occasion& occasion = occasions[i];
     const double at = static_cast<double>(i + 1);
     words.push_back(occasionName(occasion.kind, occasion.nth));
-    x.push_back(at);
-    low.push_back(100.0 * occasion.medians.lower_quartile);
-    high.push_back(100.0 * occasion.medians.upper_quartile);
-    middle.push_back(100.0 * occasion.medians.median);
-    shown.add(occasion.medians.least);
-    shown.add(occasion.medians.greatest);
+    const training::Spread& medians = occasion.medians;
+    quartiles.add(at, medians.median, medians.lower_quartile, medians.upper_quartile);
+    reach.add(at, medians.median, medians.least, medians.greatest);
     std::size_t of_occasion = 0;
     for (const TraineeStatistics& trainee : statistics.trainees) {
       for (const ThresholdPoint& point : trainee.points) {
@@ -318,20 +299,18 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
       }
     }
     if (occasion.group.people < 2) continue;
-    group.x.push_back(at + 0.18);
-    group.y.push_back(100.0 * occasion.group.mean);
-    addErrorBar(bars, at + 0.18, 100.0 * occasion.group.low, 100.0 * occasion.group.high, 0.05);
-    shown.add(occasion.group.low);
-    shown.add(occasion.group.high);
+    group.add(at + 0.18, occasion.group.mean, occasion.group.low, occasion.group.high);
   }
-  if (x.size() > 1) {
-    plot.shapes.push_back(
-        curveBand(tr("middle half of the class"), x, low, high, figures::withAlpha(kQuartileColour, 0.5)));
+  if (quartiles.x.size() > 1) {
+    plot.shapes.push_back(quartiles.band(tr("middle half of the class"), figures::withAlpha(kQuartileColour, 0.5)));
   }
-  if (!bars.paths.empty()) plot.shapes.push_back(std::move(bars));
   plot.series.push_back(std::move(everybody));
-  plot.series.push_back({.name = tr("median"), .x = x, .y = middle, .colour = figures::kBlue, .width_px = 2.0});
-  if (!group.x.empty()) plot.series.push_back(std::move(group));
+  plot.series.push_back(quartiles.line(tr("median"), 2.0));
+  if (!group.x.empty()) {
+    group.addMarkers(tr("mean of the group, 95 % interval"), Marker::diamond, figures::kVermilion, 0.05, plot);
+    plot.shapes.back().width_px = 1.8;
+  }
+  for (const Estimates* each : {&reach, &group}) shown.add(*each);
   plot.x = occasionAxis(words);
   plot.y = shown.axis(tr("smallest reliable change"));
   const auto said = [&](std::size_t i) {
@@ -354,11 +333,11 @@ TrainingPicture fitPicture(const std::vector<const ThresholdPoint*>& blocks) {
   std::string alternative;
   for (const ThresholdPoint* point : blocks) {
     figure.panels.emplace_back(fitPlot(*point));
-    alternative += " " + trf("{}: T {}. Right answers {}.", occasionName(point->kind, point->nth),
-                             formatThreshold(point->threshold->median, point->threshold->low, point->threshold->high),
-                             formatAnswerBoxes(point->trials.boxes, 100.0, " %"));
+    addSentence(alternative,
+                trf("{}: T {}. Right answers {}.", occasionName(point->kind, point->nth),
+                    formatThreshold(point->threshold->median, point->threshold->low, point->threshold->high),
+                    formatAnswerBoxes(point->trials.boxes, 100.0, " %")));
   }
-  alternative.erase(0, 1);
   return {"fit",
           tr("How often answers are right at which change: the fitted function with its 95 % band, and the answers "
              "with neighbouring changes together (bars: 95 %). Dashed: T. Answers given after fewer places were felt "
@@ -400,14 +379,10 @@ struct ShownTrials {
   Stroke stroke = Stroke::solid;
 };
 
-std::vector<ShownTrials> shownTrials(const TestsAndPracticeShown& shown) {
-  std::vector<ShownTrials> all;
-  if (shown.tests != nullptr && shown.tests->counted > 0) {
-    all.push_back({shown.tests, tr("tests"), figures::kVermilion, Marker::square, Stroke::solid});
-  }
-  if (shown.practice != nullptr && shown.practice->counted > 0) {
-    all.push_back({shown.practice, tr("practice"), figures::kBlue, Marker::circle, Stroke::dashed});
-  }
+std::vector<ShownTrials> shownTrials(const TrialStatistics& tests, const TrialStatistics& practice) {
+  std::vector<ShownTrials> all = {{&tests, tr("tests"), figures::kVermilion, Marker::square, Stroke::solid},
+                                  {&practice, tr("practice"), figures::kBlue, Marker::circle, Stroke::dashed}};
+  std::erase_if(all, [](const ShownTrials& each) { return each.trials->counted == 0; });
   return all;
 }
 
@@ -461,26 +436,26 @@ Plot sharePlot(std::string title, std::string label, std::string unit, double to
 
 }  // namespace
 
-TrainingPicture accuracyPicture(const TestsAndPracticeShown& shown) {
+TrainingPicture accuracyPicture(const TrialStatistics& tests, const TrialStatistics& practice) {
   Plot raw{.title = tr("as answered")};
   Plot corrected{.title = tr("corrected for chance")};
   raw.y = rightAxis(tr("right answers"));
   corrected.y = {.label = tr("found"), .unit = "%", .from = -20.0, .to = 100.0};
   std::string alternative;
-  for (const ShownTrials& each : shownTrials(shown)) {
+  for (const ShownTrials& each : shownTrials(tests, practice)) {
     addBoxes(each.trials->boxes, 100.0, each.name, each.colour, each.marker, raw);
     Series points{
         .name = each.name, .x = {}, .y = {}, .stroke = each.stroke, .marker = each.marker, .colour = each.colour};
     for (const AnswerBox& box : each.trials->boxes) {
       points.x.push_back(100.0 * box.middle);
-      points.y.push_back(100.0 * box.corrected);
+      points.y.push_back(100.0 * box.corrected());
     }
     corrected.series.push_back(std::move(points));
-    alternative += " " + trf("Right answers in {}: {}.", each.name, formatAnswerBoxes(each.trials->boxes, 100.0, " %"));
+    addSentence(alternative,
+                trf("Right answers in {}: {}.", each.name, formatAnswerBoxes(each.trials->boxes, 100.0, " %")));
   }
   corrected.series.push_back(levelLine(tr("guessing"), 3.0, 100.0, 0.0));
   for (Plot* plot : {&raw, &corrected}) plot->x = changeAxis(tr("change"), 3.0, 100.0);
-  if (!alternative.empty()) alternative.erase(0, 1);
   return {
       "accuracy",
       tr("Neighbouring changes together; the table below has each. Corrected for chance, 0 % is a guesser and 100 % "
@@ -497,8 +472,8 @@ std::string medianForce(const training::Spread& force) {
 
 }  // namespace
 
-TrainingPicture handlingPicture(const TestsAndPracticeShown& shown) {
-  const std::vector<ShownTrials> all = shownTrials(shown);
+TrainingPicture handlingPicture(const TrialStatistics& tests, const TrialStatistics& practice) {
+  const std::vector<ShownTrials> all = shownTrials(tests, practice);
   const double most_force = lastBox(all, {&TrialStatistics::search_force_bins, &TrialStatistics::palpate_force_bins});
   std::vector<Plot> plots;
   std::string alternative;
@@ -508,10 +483,11 @@ TrainingPicture handlingPicture(const TestsAndPracticeShown& shown) {
     plot.series.push_back(
         outlineSeries(each.trials->palpate_force_bins, tr("palpation"), figures::kVermilion, Stroke::solid));
     plots.push_back(std::move(plot));
-    alternative +=
-        " " + trf("In {} the median force was {} while searching and {} while palpating, the median speed {:.0f} mm/s.",
-                  each.name, medianForce(each.trials->search_force_n), medianForce(each.trials->palpate_force_n),
-                  each.trials->speed_mm_per_s.median);
+    addSentence(
+        alternative,
+        trf("In {} the median force was {} while searching and {} while palpating, the median speed {:.0f} mm/s.",
+            each.name, medianForce(each.trials->search_force_n), medianForce(each.trials->palpate_force_n),
+            each.trials->speed_mm_per_s.median));
   }
   Plot speed =
       sharePlot(tr("speed"), tr("mean speed of a trial"), "mm/s", lastBox(all, {&TrialStatistics::speed_bins}));
@@ -519,24 +495,22 @@ TrainingPicture handlingPicture(const TestsAndPracticeShown& shown) {
     speed.series.push_back(outlineSeries(each.trials->speed_bins, each.name, each.colour, each.stroke));
   }
   plots.push_back(std::move(speed));
-  if (!alternative.empty()) alternative.erase(0, 1);
   return {"handling",
           tr("How hard and how fast: means of each trial while the finger moves over the skin (search) and while it "
              "stays (palpation)."),
           alternative, panelFigure(std::move(plots))};
 }
 
-TrainingPicture secondsPicture(const TestsAndPracticeShown& shown) {
-  const std::vector<ShownTrials> all = shownTrials(shown);
+TrainingPicture secondsPicture(const TrialStatistics& tests, const TrialStatistics& practice) {
+  const std::vector<ShownTrials> all = shownTrials(tests, practice);
   Plot plot = sharePlot("", tr("time for a trial"), "s", lastBox(all, {&TrialStatistics::seconds_bins}));
   std::string alternative;
   for (const ShownTrials& each : all) {
     plot.series.push_back(outlineSeries(each.trials->seconds_bins, each.name, each.colour, each.stroke));
-    alternative += " " + trf("In {} a trial took {:.0f} s (median; middle half {:.0f} to {:.0f} s).", each.name,
-                             each.trials->seconds.median, each.trials->seconds.lower_quartile,
-                             each.trials->seconds.upper_quartile);
+    addSentence(alternative, trf("In {} a trial took {:.0f} s (median; middle half {:.0f} to {:.0f} s).", each.name,
+                                 each.trials->seconds.median, each.trials->seconds.lower_quartile,
+                                 each.trials->seconds.upper_quartile));
   }
-  if (!alternative.empty()) alternative.erase(0, 1);
   return {"seconds", tr("How long a trial took, pauses left out."), alternative, wideFigure(std::move(plot), 280.0)};
 }
 

@@ -26,14 +26,10 @@ TrainingPicture fitPicture(const std::vector<const training::ThresholdPoint*>& b
 /// All answers of a class against the change in units of each one's threshold.
 TrainingPicture collapsedPicture(const std::vector<training::AnswerBox>& boxes);
 
-/// Statistics of tests and of practice; either may be null.
-struct TestsAndPracticeShown {
-  const training::TrialStatistics* tests = nullptr;
-  const training::TrialStatistics* practice = nullptr;
-};
-TrainingPicture accuracyPicture(const TestsAndPracticeShown& shown);
-TrainingPicture handlingPicture(const TestsAndPracticeShown& shown);  ///< force and speed
-TrainingPicture secondsPicture(const TestsAndPracticeShown& shown);
+TrainingPicture accuracyPicture(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
+/// Force and speed.
+TrainingPicture handlingPicture(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
+TrainingPicture secondsPicture(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
 TrainingPicture answersPicture(const training::TrialStatistics& trials, const std::string& what);
 
 /// Dwell and peak force of each site on the back.

@@ -113,13 +113,12 @@ class PageWriter {
   std::array<std::pair<const TrialStatistics*, const char*>, 2> bothParts() const {
     return {{{&tests_, toTranslate("tests")}, {&practice_, toTranslate("practice")}}};
   }
-  TestsAndPracticeShown shown() const { return {&tests_, &practice_}; }
   bool anyCounted() const { return tests_.counted + practice_.counted > 0; }
 
   void accuracy() {
     if (!anyCounted()) return;
     addHeading(tr("Right answers"));
-    addPicture(accuracyPicture(shown()));
+    addPicture(accuracyPicture(tests_, practice_));
     add(levelsTable(tests_, tr("tests")) + levelsTable(practice_, tr("practice")));
   }
 
@@ -140,14 +139,14 @@ class PageWriter {
 
   void handling() {
     addHeading(tr("Force and speed"));
-    if (anyCounted()) addPicture(handlingPicture(shown()));
-    add(handlingTable(tests_, practice_));
+    if (anyCounted()) addPicture(handlingPicture(tests_, practice_));
+    add(measuresTable(tests_, practice_, true));
   }
 
   void seconds() {
     addHeading(tr("Time for a trial"));
-    if (anyCounted()) addPicture(secondsPicture(shown()));
-    add(secondsTable(tests_, practice_));
+    if (anyCounted()) addPicture(secondsPicture(tests_, practice_));
+    add(measuresTable(tests_, practice_, false));
   }
 
   void answers() {

@@ -309,6 +309,20 @@ std::string changeMeaningName(training::ChangeMeaning meaning) {
   return meaning == training::ChangeMeaning::compliance ? tr("compliance") : tr("stiffness");
 }
 
+std::string verdictName(training::Verdict verdict) {
+  switch (verdict) {
+    case training::Verdict::pass:
+      return tr("pass");
+    case training::Verdict::not_yet:
+      return tr("not yet");
+    case training::Verdict::repeat:
+      return tr("repeat");
+    case training::Verdict::none:
+      break;
+  }
+  return kNoValue;
+}
+
 std::string shortPseudonym(const training::Uuid& id) { return id.substr(0, kPseudonymLetters); }
 
 std::string formatChange(double change) {

@@ -69,6 +69,10 @@ inline constexpr int kMinOthers = 5;
 
 /// "pre-test", "practice 3".
 std::string occasionName(training::SessionKind kind, int nth);
+/// Where a cell of a table has nothing to say.
+inline constexpr const char* kNoValue = "–";
+/// "not yet".
+std::string verdictName(training::Verdict verdict);
 /// "compliance".
 std::string changeMeaningName(training::ChangeMeaning meaning);
 /// 018f3c1e-... -> "018f3c1e".
@@ -96,9 +100,9 @@ std::string traineesTable(const training::TrainingStatistics& statistics);
 std::string levelsTable(const training::TrialStatistics& trials, const std::string& what);
 /// `set`: the names of the sites; may be empty.
 std::string sitesTable(const training::TrialStatistics& trials, const training::SiteSet& set, const std::string& what);
-/// Force, speed, time: tests and practice.
-std::string handlingTable(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
-std::string secondsTable(const training::TrialStatistics& tests, const training::TrialStatistics& practice);
+/// Force and speed, or time (TrialMeasure::of_touch).
+std::string measuresTable(const training::TrialStatistics& tests, const training::TrialStatistics& practice,
+                          bool of_touch);
 std::string answersTable(const training::TrialStatistics& trials, const std::string& what);
 std::string qualitySection(const TrainingReport& report);
 

@@ -26,35 +26,30 @@ Json histogramJson(const training::Histogram& histogram) {
   return {{"box_width", histogram.width}, {"counts", histogram.counts}};
 }
 
-Json levelsJson(const std::vector<training::LevelAccuracy>& levels) {
+/// Answers at `place`, which has members of its own.
+Json boxJson(Json place, const training::AnswerBox& box) {
+  const training::ShareInterval interval = box.right.interval();
+  place.update({{"trials", box.right.whole},
+                {"correct", box.right.part},
+                {"share", box.right.share()},
+                {"low", interval.low},
+                {"high", interval.high},
+                {"chance", box.chance},
+                {"corrected", box.corrected()}});
+  return place;
+}
+
+Json levelsJson(const std::vector<training::AnswerBox>& levels) {
   Json json = Json::array();
-  for (const training::LevelAccuracy& level : levels) {
-    json.push_back({{"change", level.change},
-                    {"trials", level.trials},
-                    {"correct", level.correct},
-                    {"share", level.share},
-                    {"low", level.interval.low},
-                    {"high", level.interval.high},
-                    {"chance", level.chance},
-                    {"corrected", level.corrected}});
-  }
+  for (const training::AnswerBox& level : levels) json.push_back(boxJson({{"change", level.middle}}, level));
   return json;
 }
 
 Json boxesJson(const std::vector<training::AnswerBox>& boxes) {
   Json json = Json::array();
   for (const training::AnswerBox& box : boxes) {
-    json.push_back({{"from", box.from},
-                    {"to", box.to},
-                    {"middle", box.middle},
-                    {"trials", box.trials},
-                    {"correct", box.correct},
-                    {"share", box.share},
-                    {"low", box.interval.low},
-                    {"high", box.interval.high},
-                    {"chance", box.chance},
-                    {"corrected", box.corrected},
-                    {"expected", box.expected}});
+    json.push_back(boxJson({{"from", box.from}, {"to", box.to}, {"middle", box.middle}}, box));
+    json.back()["expected"] = box.expected;
   }
   return json;
 }
@@ -86,15 +81,9 @@ Json answersJson(const training::SiteAnswers& answers) {
 }
 
 Json countsJson(const training::TrialStatistics& trials) {
-  return {{"shown", trials.shown},
-          {"warm_up", trials.warm_up},
-          {"excluded", trials.excluded},
-          {"counted", trials.counted},
-          {"correct", trials.correct},
-          {"timeouts", trials.timeouts},
-          {"not_all_felt", trials.not_all_felt},
-          {"easy", trials.easy},
-          {"easy_wrong", trials.easy_wrong}};
+  Json json;
+  for (const training::TrialCount& each : training::trialCounts()) json[each.name] = trials.*each.count;
+  return json;
 }
 
 Json trialsJson(const training::TrialStatistics& trials) {
@@ -108,19 +97,10 @@ Json trialsJson(const training::TrialStatistics& trials) {
                    {"other_side", trials.wrong.other_side},
                    {"elsewhere", trials.wrong.elsewhere},
                    {"none", trials.wrong.none}};
-  json["seconds"] = spreadJson(trials.seconds);
-  json["seconds_correct"] = spreadJson(trials.seconds_correct);
-  json["seconds_wrong"] = spreadJson(trials.seconds_wrong);
-  json["places_felt"] = spreadJson(trials.places_felt);
-  json["mean_force_n"] = spreadJson(trials.mean_force_n);
-  json["peak_force_n"] = spreadJson(trials.peak_force_n);
-  json["search_force_n"] = spreadJson(trials.search_force_n);
-  json["palpate_force_n"] = spreadJson(trials.palpate_force_n);
-  json["speed_mm_per_s"] = spreadJson(trials.speed_mm_per_s);
-  json["seconds_boxes"] = histogramJson(trials.seconds_bins);
-  json["search_force_boxes"] = histogramJson(trials.search_force_bins);
-  json["palpate_force_boxes"] = histogramJson(trials.palpate_force_bins);
-  json["speed_boxes"] = histogramJson(trials.speed_bins);
+  for (const training::TrialMeasure& each : training::trialMeasures()) {
+    json[each.name] = spreadJson(trials.*each.spread);
+    if (each.histogram != nullptr) json[each.histogram_name] = histogramJson(trials.*each.histogram);
+  }
   return json;
 }
 

@@ -18,7 +18,6 @@ using training::ThresholdPoint;
 using training::TraineeStatistics;
 using training::TrialStatistics;
 
-constexpr std::string_view kNoValue = "–";
 /// More sessions than this are counted, not listed.
 constexpr std::size_t kMaxSittings = 60;
 
@@ -59,20 +58,6 @@ std::string formatReasonCounts(const training::Reasons& reasons) {
   return words;
 }
 
-std::string verdictName(training::Verdict verdict) {
-  switch (verdict) {
-    case training::Verdict::pass:
-      return tr("pass");
-    case training::Verdict::not_yet:
-      return tr("not yet");
-    case training::Verdict::repeat:
-      return tr("repeat");
-    case training::Verdict::none:
-      break;
-  }
-  return std::string(kNoValue);
-}
-
 std::string methodName(training::Method method) {
   switch (method) {
     case training::Method::marginal_psi:
@@ -97,7 +82,7 @@ std::string formatResult(const ThresholdPoint& point) {
 
 /// median (middle half)
 std::string formatSpread(const Spread& spread, int decimals) {
-  if (spread.count == 0) return std::string(kNoValue);
+  if (spread.count == 0) return kNoValue;
   return trf("{} ({} to {})", formatDecimals(spread.median, decimals), formatDecimals(spread.lower_quartile, decimals),
              formatDecimals(spread.upper_quartile, decimals));
 }
@@ -105,10 +90,6 @@ std::string formatSpread(const Spread& spread, int decimals) {
 std::string siteName(const training::SiteSet& set, int number) {
   const training::Site* site = set.numbered(number);
   return site == nullptr ? fmt::format("{}", number) : fmt::format("{}: {}", number, site->label);
-}
-
-Cells spreadRow(const std::string& what, const Spread& tests, const Spread& practice, int decimals) {
-  return {what, formatSpread(tests, decimals), formatSpread(practice, decimals)};
 }
 
 struct MadeWith {
@@ -139,7 +120,7 @@ std::string formatEventCounts(const training::SessionQuality& session) {
     if (kind == "block" || kind == "screen") continue;  // part of every session
     words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, recordWord(kind));
   }
-  return words.empty() ? std::string(kNoValue) : words;
+  return words.empty() ? kNoValue : words;
 }
 
 std::string sessionsTable(const TraineeStatistics& trainee) {
@@ -156,21 +137,12 @@ std::string sessionsTable(const TraineeStatistics& trainee) {
                  rows);
 }
 
-void addCheck(std::vector<Cells>& rows, std::string what, const TrialStatistics& tests, const TrialStatistics& practice,
-              int TrialStatistics::*count) {
-  rows.push_back({std::move(what), fmt::format("{}", tests.*count), fmt::format("{}", practice.*count)});
-}
-
 std::string checksTable(const TrialStatistics& tests, const TrialStatistics& practice) {
   std::vector<Cells> rows;
-  addCheck(rows, tr("trials shown"), tests, practice, &TrialStatistics::shown);
-  addCheck(rows, tr("warm-up, not counted"), tests, practice, &TrialStatistics::warm_up);
-  addCheck(rows, tr("left out"), tests, practice, &TrialStatistics::excluded);
-  addCheck(rows, tr("counted"), tests, practice, &TrialStatistics::counted);
-  addCheck(rows, tr("no answer in time"), tests, practice, &TrialStatistics::timeouts);
-  addCheck(rows, tr("not all places felt"), tests, practice, &TrialStatistics::not_all_felt);
-  addCheck(rows, tr("easy trials (lapse check)"), tests, practice, &TrialStatistics::easy);
-  addCheck(rows, tr("of them wrong"), tests, practice, &TrialStatistics::easy_wrong);
+  for (const training::TrialCount& each : training::trialCounts()) {
+    if (each.words == nullptr) continue;
+    rows.push_back({tr(each.words), fmt::format("{}", tests.*each.count), fmt::format("{}", practice.*each.count)});
+  }
   return tableOf("numbers", {"", tr("tests"), tr("practice")}, rows);
 }
 
@@ -203,7 +175,7 @@ std::string blocksTable(const TraineeStatistics& trainee) {
     rows.push_back({occasionName(point.kind, point.nth), formatDay(point.start_ms), methodName(point.method),
                     trf("{} of {}", point.trials.correct, point.trials.counted), formatResult(point),
                     filtered == trainee.curve.end()
-                        ? std::string(kNoValue)
+                        ? kNoValue
                         : formatThreshold(filtered->filtered.median, filtered->filtered.low, filtered->filtered.high),
                     verdictName(point.verdict), formatDecimals(point.trials.places_felt.mean, 1),
                     formatDecimals(point.trials.seconds.median, 0), point.finished ? "" : tr("interrupted")});
@@ -233,12 +205,11 @@ std::string occasionsTable(const training::ClassStatistics& all) {
   std::vector<Cells> rows;
   for (const training::Occasion& occasion : all.occasions) {
     const bool known = occasion.group.people >= 2;
-    rows.push_back(
-        {occasionName(occasion.kind, occasion.nth), fmt::format("{}", occasion.medians.count),
-         known ? formatThreshold(occasion.group.mean, occasion.group.low, occasion.group.high) : std::string(kNoValue),
-         known ? formatChange(occasion.group.sd) : std::string(kNoValue), formatChange(occasion.medians.lower_quartile),
-         formatChange(occasion.medians.median), formatChange(occasion.medians.upper_quartile),
-         formatReasonCounts(occasion.verdicts)});
+    rows.push_back({occasionName(occasion.kind, occasion.nth), fmt::format("{}", occasion.medians.count),
+                    known ? formatThreshold(occasion.group.mean, occasion.group.low, occasion.group.high) : kNoValue,
+                    known ? formatChange(occasion.group.sd) : kNoValue, formatChange(occasion.medians.lower_quartile),
+                    formatChange(occasion.medians.median), formatChange(occasion.medians.upper_quartile),
+                    formatReasonCounts(occasion.verdicts)});
   }
   if (rows.empty()) return {};
   return tableOf("numbers",
@@ -262,9 +233,9 @@ std::string traineesTable(const training::TrainingStatistics& statistics) {
     const int shown = trainee.tests.shown + trainee.practice.shown;
     const int left_out = trainee.tests.excluded + trainee.practice.excluded;
     rows.push_back({shortPseudonym(trainee.id), fmt::format("{}", trainee.points.size()), fmt::format("{}", shown),
-                    latest == nullptr ? std::string(kNoValue) : occasionName(latest->kind, latest->nth),
-                    latest == nullptr ? std::string(kNoValue) : formatResult(*latest), change,
-                    fmt::format("{}", left_out), trf("{} of {}", trainee.tests.easy_wrong, trainee.tests.easy)});
+                    latest == nullptr ? kNoValue : occasionName(latest->kind, latest->nth),
+                    latest == nullptr ? kNoValue : formatResult(*latest), change, fmt::format("{}", left_out),
+                    trf("{} of {}", trainee.tests.easy_wrong, trainee.tests.easy)});
   }
   return tableOf("numbers",
                  {tr("trainee"), tr("blocks"), tr("trials"), tr("latest"), tr("smallest change (95 %)"),
@@ -275,11 +246,12 @@ std::string traineesTable(const training::TrainingStatistics& statistics) {
 std::string levelsTable(const TrialStatistics& trials, const std::string& what) {
   if (trials.levels.empty()) return {};
   std::vector<Cells> rows;
-  for (const training::LevelAccuracy& level : trials.levels) {
-    rows.push_back({formatChange(level.change), fmt::format("{}", level.trials), fmt::format("{}", level.correct),
-                    formatPercent(level.share),
-                    trf("{} to {}", formatPercent(level.interval.low), formatPercent(level.interval.high)),
-                    formatPercent(level.chance), formatPercent(level.corrected)});
+  for (const training::AnswerBox& level : trials.levels) {
+    const training::ShareInterval interval = level.right.interval();
+    rows.push_back({formatChange(level.middle), fmt::format("{}", level.right.whole),
+                    fmt::format("{}", level.right.part), formatPercent(level.right.share()),
+                    trf("{} to {}", formatPercent(interval.low), formatPercent(interval.high)),
+                    formatPercent(level.chance), formatPercent(level.corrected())});
   }
   return foldedHtml(trf("Each change: {}", what),
                     tableOf("numbers",
@@ -303,21 +275,14 @@ std::string sitesTable(const TrialStatistics& trials, const training::SiteSet& s
                             rows));
 }
 
-std::string handlingTable(const TrialStatistics& tests, const TrialStatistics& practice) {
-  return tableOf("numbers", {tr("median (middle half) of trials"), tr("tests"), tr("practice")},
-                 {spreadRow(tr("mean force while searching (N)"), tests.search_force_n, practice.search_force_n, 2),
-                  spreadRow(tr("mean force while palpating (N)"), tests.palpate_force_n, practice.palpate_force_n, 2),
-                  spreadRow(tr("mean force in contact (N)"), tests.mean_force_n, practice.mean_force_n, 2),
-                  spreadRow(tr("peak force (N)"), tests.peak_force_n, practice.peak_force_n, 2),
-                  spreadRow(tr("mean speed (mm/s)"), tests.speed_mm_per_s, practice.speed_mm_per_s, 0)});
-}
-
-std::string secondsTable(const TrialStatistics& tests, const TrialStatistics& practice) {
-  return tableOf("numbers", {tr("median (middle half) of trials"), tr("tests"), tr("practice")},
-                 {spreadRow(tr("time (s)"), tests.seconds, practice.seconds, 1),
-                  spreadRow(tr("time of right answers (s)"), tests.seconds_correct, practice.seconds_correct, 1),
-                  spreadRow(tr("time of wrong answers (s)"), tests.seconds_wrong, practice.seconds_wrong, 1),
-                  spreadRow(tr("places felt"), tests.places_felt, practice.places_felt, 0)});
+std::string measuresTable(const TrialStatistics& tests, const TrialStatistics& practice, bool of_touch) {
+  std::vector<Cells> rows;
+  for (const training::TrialMeasure& each : training::trialMeasures()) {
+    if (each.of_touch != of_touch) continue;
+    rows.push_back({tr(each.words), formatSpread(tests.*each.spread, each.decimals),
+                    formatSpread(practice.*each.spread, each.decimals)});
+  }
+  return tableOf("numbers", {tr("median (middle half) of trials"), tr("tests"), tr("practice")}, rows);
 }
 
 std::string answersTable(const TrialStatistics& trials, const std::string& what) {

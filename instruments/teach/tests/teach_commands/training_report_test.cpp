@@ -290,13 +290,12 @@ TEST_F(TrainingReport, NoTextOfAPictureCoversAnother) {
   make(6);
   const app::TrainingReport report =
       app::trainingReport({.file = records(), .trainee = {}, .only_class = {}, .whole_class = true}, {});
-  const app::TestsAndPracticeShown shown{&report.statistics.all.tests, &report.statistics.all.practice};
-  std::vector<app::TrainingPicture> pictures = {app::classCurvePicture(report.statistics),
-                                                app::collapsedPicture(report.statistics.all.collapsed),
-                                                app::accuracyPicture(shown),
-                                                app::handlingPicture(shown),
-                                                app::secondsPicture(shown),
-                                                app::answersPicture(*shown.tests, "tests")};
+  const training::TrialStatistics& tests = report.statistics.all.tests;
+  const training::TrialStatistics& practice = report.statistics.all.practice;
+  std::vector<app::TrainingPicture> pictures = {
+      app::classCurvePicture(report.statistics), app::collapsedPicture(report.statistics.all.collapsed),
+      app::accuracyPicture(tests, practice),     app::handlingPicture(tests, practice),
+      app::secondsPicture(tests, practice),      app::answersPicture(tests, "tests")};
   const auto& trainee = report.statistics.trainees.front();
   pictures.push_back(app::fitPicture({&trainee.points.front(), &trainee.points.back()}));
   for (const app::TrainingPicture& picture : pictures) {

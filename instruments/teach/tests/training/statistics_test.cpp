@@ -33,10 +33,10 @@ TEST(TrainingStatistics, AccuracyIsCountedForEachChangeAndCorrectedForChance) {
                                   answered(0.2, 5, 5), answered(0.4, 7, 7), answered(0.4, 8, 8, 2)};
   const TrialStatistics found = statisticsOf(trials);
   ASSERT_EQ(found.levels.size(), 2u);
-  EXPECT_EQ(found.levels[0].change, 0.2);
-  EXPECT_EQ(found.levels[0].correct, 3);
-  EXPECT_DOUBLE_EQ(found.levels[0].share, 0.75);
-  EXPECT_DOUBLE_EQ(found.levels[0].corrected, (0.75 - 1.0 / 12) / (11.0 / 12));
+  EXPECT_EQ(found.levels[0].middle, 0.2);
+  EXPECT_EQ(found.levels[0].right.part, 3);
+  EXPECT_DOUBLE_EQ(found.levels[0].right.share(), 0.75);
+  EXPECT_DOUBLE_EQ(found.levels[0].corrected(), (0.75 - 1.0 / 12) / (11.0 / 12));
   EXPECT_DOUBLE_EQ(found.levels[1].chance, 0.5 * (1.0 / 12 + 1.0 / 2)) << "two places felt: one in two";
   EXPECT_EQ(found.correct, 5);
 }
@@ -199,7 +199,7 @@ TEST_F(MadeRecord, AClassFindsTheThresholdsItsTraineesWereMadeWith) {
   EXPECT_GT(all.change->group.high, 2.0);
   EXPECT_EQ(all.change->clearly_worse, 0);
   for (const AnswerBox& box : all.collapsed) {
-    EXPECT_NEAR(box.expected, box.share, 0.05 + 2.5 * std::sqrt(0.25 / box.trials)) << box.middle;
+    EXPECT_NEAR(box.expected, box.right.share(), 0.05 + 2.5 * std::sqrt(0.25 / box.right.whole)) << box.middle;
   }
 }
 

@@ -20,7 +20,7 @@ struct Scaled {
   double variance = 0.0;
 };
 
-Scaled scaled(const LumpRate& rate) {
+Scaled scaled(const Rate& rate) {
   const double n = rate.whole + 1.0;
   const double share = (rate.part + 0.5) / n;
   const double z = standardNormalQuantile(share);
@@ -28,34 +28,24 @@ Scaled scaled(const LumpRate& rate) {
   return {z, share * (1.0 - share) / (n * density * density)};
 }
 
-void count(LumpRate& rate, bool part) {
-  ++rate.whole;
-  if (part) ++rate.part;
-}
-
-void countGrade(SaidGrades& said, int truth, int answer) {
-  if (answer == lumps::LumpFinding::kUnsaid) return;
-  ++said[static_cast<std::size_t>(truth)][static_cast<std::size_t>(answer)];
-}
-
 void countLump(LumpStatistics& statistics, const lumps::HiddenLump& lump, const lumps::LumpFinding* finding) {
   const bool found = finding != nullptr;
-  count(statistics.by_size[static_cast<std::size_t>(lump.size)], found);
-  count(statistics.by_depth[static_cast<std::size_t>(lump.depth)], found);
-  count(statistics.by_hardness[static_cast<std::size_t>(lump.hardness)], found);
-  count(lump.mobile ? statistics.mobile : statistics.fixed, found);
-  if (!found) return;
-  countGrade(statistics.size, lump.size, finding->size);
-  countGrade(statistics.depth, lump.depth, finding->depth);
-  countGrade(statistics.hardness, lump.hardness, finding->hardness);
-  if (finding->mobile != lumps::LumpFinding::kUnsaid) {
-    count(statistics.mobility_right, (finding->mobile == 1) == lump.mobile);
+  for (const LumpTrait& trait : kLumpTraits) {
+    GradedLumps& graded = statistics.*trait.counted;
+    const auto truth = static_cast<std::size_t>(lump.*trait.truth);
+    graded.found[truth].count(found);
+    const int answer = found ? finding->*trait.answer : lumps::LumpFinding::kUnsaid;
+    if (answer != lumps::LumpFinding::kUnsaid) ++graded.said[truth][static_cast<std::size_t>(answer)];
+  }
+  (lump.mobile ? statistics.mobile : statistics.fixed).count(found);
+  if (found && finding->mobile != lumps::LumpFinding::kUnsaid) {
+    statistics.mobility_right.count((finding->mobile == 1) == lump.mobile);
   }
 }
 
 }  // namespace
 
-DPrime dPrime(const LumpRate& hits, const LumpRate& false_alarms) {
+DPrime dPrime(const Rate& hits, const Rate& false_alarms) {
   const Scaled hit = scaled(hits);
   const Scaled alarm = scaled(false_alarms);
   const double value = hit.z - alarm.z;

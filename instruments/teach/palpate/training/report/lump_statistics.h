@@ -14,17 +14,11 @@
 #include <span>
 #include <vector>
 
+#include "palpate/base/language.h"
 #include "palpate/lumps/lump_block.h"
 #include "palpate/training/report/threshold_points.h"
 
 namespace palpate::training {
-
-struct LumpRate {
-  int part = 0;
-  int whole = 0;
-  double share() const { return whole > 0 ? static_cast<double>(part) / whole : 0.0; }
-  ShareInterval interval() const { return whole > 0 ? wilsonInterval(part, whole) : ShareInterval{}; }
-};
 
 struct DPrime {
   double value = 0.0;
@@ -32,23 +26,44 @@ struct DPrime {
   double high = 0.0;
 };
 /// Sensitivity, from the shares of "there is one" with and without a lump.
-DPrime dPrime(const LumpRate& hits, const LumpRate& false_alarms);
+DPrime dPrime(const Rate& hits, const Rate& false_alarms);
 
-/// Counts by [true grade][answered grade].
-using SaidGrades = std::array<std::array<int, lumps::kGrades>, lumps::kGrades>;
+/// By the grade of a trait.
+struct GradedLumps {
+  std::array<Rate, lumps::kGrades> found;
+  /// Lumps found and described, by [true grade][answered grade].
+  std::array<std::array<int, lumps::kGrades>, lumps::kGrades> said{};
+};
 
 struct LumpStatistics {
   lumps::LumpCounts counts;
-  LumpRate found;               ///< lumps, of those hidden: sensitivity
-  LumpRate known_with;          ///< bodies with a lump in which one was named
-  LumpRate known_without;       ///< bodies without in which none was: specificity
+  Rate found;                   ///< lumps, of those hidden: sensitivity
+  Rate known_with;              ///< bodies with a lump in which one was named
+  Rate known_without;           ///< bodies without in which none was: specificity
   std::optional<DPrime> prime;  ///< where there were bodies of both kinds
-  std::array<LumpRate, lumps::kGrades> by_size, by_depth, by_hardness;  ///< found, of each grade
-  LumpRate fixed, mobile;                                               ///< found
-  SaidGrades size{}, depth{}, hardness{};                               ///< lumps found and described
-  LumpRate mobility_right;                                              ///< among these
-  Spread error_mm;                                                      ///< over lumps that were found
+  GradedLumps size, depth, hardness;
+  Rate fixed, mobile;   ///< found
+  Rate mobility_right;  ///< among these
+  Spread error_mm;      ///< over lumps that were found
 };
+
+/// What lumps differ in, described once.
+struct LumpTrait {
+  const char* name;   ///< in JSON
+  const char* words;  ///< for a grade, in English, for tr()
+  lumps::Grades lumps::LumpTask::*grades;
+  int lumps::HiddenLump::*truth;
+  int lumps::LumpFinding::*answer;
+  GradedLumps LumpStatistics::*counted;
+};
+inline constexpr std::array kLumpTraits = {
+    LumpTrait{"size", toTranslate("{:g} mm large"), &lumps::LumpTask::diameters_mm, &lumps::HiddenLump::size,
+              &lumps::LumpFinding::size, &LumpStatistics::size},
+    LumpTrait{"depth", toTranslate("{:g} mm deep"), &lumps::LumpTask::depths_mm, &lumps::HiddenLump::depth,
+              &lumps::LumpFinding::depth, &LumpStatistics::depth},
+    LumpTrait{"hardness", toTranslate("{:g} times as stiff"), &lumps::LumpTask::ratios, &lumps::HiddenLump::hardness,
+              &lumps::LumpFinding::hardness, &LumpStatistics::hardness}};
+
 LumpStatistics lumpStatistics(const std::vector<lumps::LumpTrial>& trials, const lumps::LumpTask& task);
 
 /// One block of such a session.

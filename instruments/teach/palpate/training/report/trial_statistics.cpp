@@ -1,8 +1,12 @@
 #include "palpate/training/report/trial_statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
+
+#include "palpate/base/language.h"
 
 namespace palpate::training {
 
@@ -19,23 +23,52 @@ constexpr double kHalfTickMs = 0.5;
 
 using Trials = std::span<const ChosenTrial>;
 
-/// Boxes of the histograms: fine enough to see a shape, few enough for a few hundred trials.
-constexpr double kForceBox = 0.25;  // N
-constexpr int kForceBoxes = 40;
-constexpr double kSpeedBox = 10.0;  // mm/s
-constexpr int kSpeedBoxes = 30;
-constexpr double kSecondsBox = 5.0;
-constexpr int kSecondsBoxes = 24;
-
-/// Values of the trials that pass; warm-ups never do.
-template <class Passes, class Value>
-std::vector<double> valuesWhere(Trials trials, const Passes& passes, const Value& value) {
-  std::vector<double> values;
-  for (const ChosenTrial& trial : trials) {
-    if (trial.row->kind != TrialKind::warm_up && passes(*trial.row)) values.push_back(value(*trial.row));
-  }
-  return values;
+template <double TrialRow::*Value>
+double valueOf(const TrialRow& row) {
+  return row.*Value;
 }
+double placesFelt(const TrialRow& row) { return row.sites_felt; }
+
+bool isAny(const TrialRow&) { return true; }
+bool isTouched(const TrialRow& row) { return row.peak_force_n > 0.0; }
+bool isCountedRight(const TrialRow& row) { return countsForResults(row) && row.correct; }
+bool isCountedWrong(const TrialRow& row) { return countsForResults(row) && !row.correct; }
+bool hasSearched(const TrialRow& row) { return row.search_force_n > 0.0; }
+bool hasPalpated(const TrialRow& row) { return row.palpate_force_n > 0.0; }
+
+constexpr std::array kTrialCounts = {
+    TrialCount{"shown", &TrialStatistics::shown, toTranslate("trials shown")},
+    TrialCount{"warm_up", &TrialStatistics::warm_up, toTranslate("warm-up, not counted")},
+    TrialCount{"excluded", &TrialStatistics::excluded, toTranslate("left out")},
+    TrialCount{"counted", &TrialStatistics::counted, toTranslate("counted")},
+    TrialCount{"correct", &TrialStatistics::correct},
+    TrialCount{"timeouts", &TrialStatistics::timeouts, toTranslate("no answer in time")},
+    TrialCount{"not_all_felt", &TrialStatistics::not_all_felt, toTranslate("not all places felt")},
+    TrialCount{"easy", &TrialStatistics::easy, toTranslate("easy trials (lapse check)")},
+    TrialCount{"easy_wrong", &TrialStatistics::easy_wrong, toTranslate("of them wrong")}};
+
+/// In the order of the tables.
+constexpr std::array kTrialMeasures = {
+    TrialMeasure{"seconds", &TrialStatistics::seconds, toTranslate("time (s)"), 1, false, isAny,
+                 valueOf<&TrialRow::seconds>, "seconds_boxes", &TrialStatistics::seconds_bins, 5.0, 24},
+    TrialMeasure{"seconds_correct", &TrialStatistics::seconds_correct, toTranslate("time of right answers (s)"), 1,
+                 false, isCountedRight, valueOf<&TrialRow::seconds>},
+    TrialMeasure{"seconds_wrong", &TrialStatistics::seconds_wrong, toTranslate("time of wrong answers (s)"), 1, false,
+                 isCountedWrong, valueOf<&TrialRow::seconds>},
+    TrialMeasure{"places_felt", &TrialStatistics::places_felt, toTranslate("places felt"), 0, false, isAny, placesFelt},
+    TrialMeasure{"search_force_n", &TrialStatistics::search_force_n, toTranslate("mean force while searching (N)"), 2,
+                 true, hasSearched, valueOf<&TrialRow::search_force_n>, "search_force_boxes",
+                 &TrialStatistics::search_force_bins, 0.25, 40},
+    TrialMeasure{"palpate_force_n", &TrialStatistics::palpate_force_n, toTranslate("mean force while palpating (N)"), 2,
+                 true, hasPalpated, valueOf<&TrialRow::palpate_force_n>, "palpate_force_boxes",
+                 &TrialStatistics::palpate_force_bins, 0.25, 40},
+    TrialMeasure{"mean_force_n", &TrialStatistics::mean_force_n, toTranslate("mean force in contact (N)"), 2, true,
+                 isTouched, valueOf<&TrialRow::mean_force_n>},
+    TrialMeasure{"peak_force_n", &TrialStatistics::peak_force_n, toTranslate("peak force (N)"), 2, true, isTouched,
+                 valueOf<&TrialRow::peak_force_n>},
+    TrialMeasure{"speed_mm_per_s", &TrialStatistics::speed_mm_per_s, toTranslate("mean speed (mm/s)"), 0, true,
+                 isTouched, valueOf<&TrialRow::mean_speed_mm_per_s>, "speed_boxes", &TrialStatistics::speed_bins, 10.0,
+                 30}};
 
 Histogram makeHistogram(const std::vector<double>& values, double width, int boxes) {
   Histogram histogram{.width = width, .counts = std::vector<int>(static_cast<std::size_t>(boxes), 0)};
@@ -46,28 +79,40 @@ Histogram makeHistogram(const std::vector<double>& values, double width, int box
   return histogram;
 }
 
-double correctedForChance(double share, double chance) {
-  return chance < 1.0 ? (share - chance) / (1.0 - chance) : 0.0;
-}
-
-double guessProbability(const TrialRow& trial) { return 1.0 / std::max(trial.sites_felt, 1); }
-
-std::vector<LevelAccuracy> computeLevelAccuracies(Trials trials) {
-  std::map<double, LevelAccuracy> levels;
+std::vector<PlacedAnswer> placedAnswers(Trials trials) {
+  std::vector<PlacedAnswer> answers;
   for (const ChosenTrial& trial : trials) {
     if (!countsForResults(*trial.row)) continue;
-    LevelAccuracy& level = levels[trial.row->change];
-    ++level.trials;
-    level.correct += trial.row->correct ? 1 : 0;
-    level.chance += guessProbability(*trial.row);
+    answers.push_back({.place = trial.row->change,
+                       .correct = trial.row->correct,
+                       .chance = 1.0 / std::max(trial.row->sites_felt, 1)});
   }
-  std::vector<LevelAccuracy> all;
+  return answers;
+}
+
+/// Sums, until finishBox().
+void addAnswer(AnswerBox& box, const PlacedAnswer& answer) {
+  box.right.count(answer.correct);
+  box.middle += std::log(answer.place);
+  box.chance += answer.chance;
+  box.expected += answer.expected;
+}
+
+void finishBox(AnswerBox& box, double from, double to) {
+  box.from = from;
+  box.to = to;
+  box.middle = std::exp(box.middle / box.right.whole);
+  box.chance /= box.right.whole;
+  box.expected /= box.right.whole;
+}
+
+std::vector<AnswerBox> answersByChange(std::span<const PlacedAnswer> answers) {
+  std::map<double, AnswerBox> levels;
+  for (const PlacedAnswer& answer : answers) addAnswer(levels[answer.place], answer);
+  std::vector<AnswerBox> all;
   for (auto& [change, level] : levels) {
-    level.change = change;
-    level.share = static_cast<double>(level.correct) / level.trials;
-    level.interval = wilsonInterval(level.correct, level.trials);
-    level.chance /= level.trials;
-    level.corrected = correctedForChance(level.share, level.chance);
+    finishBox(level, change, change);
+    level.middle = change;  // to the bit
     all.push_back(level);
   }
   return all;
@@ -159,48 +204,26 @@ void countTrials(Trials trials, TrialStatistics& statistics) {
   }
 }
 
-/// Times, forces, speeds.
+/// Times, forces, speeds; warm-ups are left out.
 void measureTrials(Trials trials, TrialStatistics& statistics) {
-  const auto all = [](const TrialRow&) { return true; };
-  const auto touched = [](const TrialRow& row) { return row.peak_force_n > 0.0; };
-  const auto counted_as = [](bool right) {
-    return [right](const TrialRow& row) { return countsForResults(row) && row.correct == right; };
-  };
-  const auto member = [](double TrialRow::*value) { return [value](const TrialRow& row) { return row.*value; }; };
-  const auto some = [](double TrialRow::*value) { return [value](const TrialRow& row) { return row.*value > 0.0; }; };
-  const auto places = [](const TrialRow& row) { return static_cast<double>(row.sites_felt); };
-  const std::vector<double> seconds = valuesWhere(trials, all, member(&TrialRow::seconds));
-  const std::vector<double> search =
-      valuesWhere(trials, some(&TrialRow::search_force_n), member(&TrialRow::search_force_n));
-  const std::vector<double> palpate =
-      valuesWhere(trials, some(&TrialRow::palpate_force_n), member(&TrialRow::palpate_force_n));
-  const std::vector<double> speed = valuesWhere(trials, touched, member(&TrialRow::mean_speed_mm_per_s));
-  statistics.seconds = computeSpread(seconds);
-  statistics.seconds_correct = computeSpread(valuesWhere(trials, counted_as(true), member(&TrialRow::seconds)));
-  statistics.seconds_wrong = computeSpread(valuesWhere(trials, counted_as(false), member(&TrialRow::seconds)));
-  statistics.places_felt = computeSpread(valuesWhere(trials, all, places));
-  statistics.mean_force_n = computeSpread(valuesWhere(trials, touched, member(&TrialRow::mean_force_n)));
-  statistics.peak_force_n = computeSpread(valuesWhere(trials, touched, member(&TrialRow::peak_force_n)));
-  statistics.speed_mm_per_s = computeSpread(speed);
-  statistics.search_force_n = computeSpread(search);
-  statistics.palpate_force_n = computeSpread(palpate);
-  statistics.seconds_bins = makeHistogram(seconds, kSecondsBox, kSecondsBoxes);
-  statistics.search_force_bins = makeHistogram(search, kForceBox, kForceBoxes);
-  statistics.palpate_force_bins = makeHistogram(palpate, kForceBox, kForceBoxes);
-  statistics.speed_bins = makeHistogram(speed, kSpeedBox, kSpeedBoxes);
-}
-
-std::vector<AnswerBox> makeAnswerBoxes(Trials trials) {
-  std::vector<PlacedAnswer> answers;
-  for (const ChosenTrial& trial : trials) {
-    if (!countsForResults(*trial.row)) continue;
-    answers.push_back(
-        {.place = trial.row->change, .correct = trial.row->correct, .chance = guessProbability(*trial.row)});
+  for (const TrialMeasure& measure : kTrialMeasures) {
+    std::vector<double> values;
+    for (const ChosenTrial& trial : trials) {
+      if (trial.row->kind != TrialKind::warm_up && measure.passes(*trial.row))
+        values.push_back(measure.value(*trial.row));
+    }
+    if (measure.histogram != nullptr) {
+      statistics.*measure.histogram = makeHistogram(values, measure.box_width, measure.boxes);
+    }
+    statistics.*measure.spread = computeSpread(std::move(values));
   }
-  return answerBoxes(answers, {});
 }
 
 }  // namespace
+
+std::span<const TrialCount> trialCounts() { return kTrialCounts; }
+
+std::span<const TrialMeasure> trialMeasures() { return kTrialMeasures; }
 
 bool countsForResults(const TrialRow& trial) {
   return trial.kind != TrialKind::warm_up && exclusionReason(trial).empty();
@@ -248,28 +271,18 @@ std::vector<AnswerBox> answerBoxes(std::span<const PlacedAnswer> answers, const 
   for (const PlacedAnswer& answer : answers) {
     const double place = std::log(answer.place / scale.from) / width;
     if (!(place >= 0.0 && place < scale.boxes)) continue;
-    AnswerBox& box = boxes[static_cast<std::size_t>(place)];
-    ++box.trials;
-    box.correct += answer.correct ? 1 : 0;
-    box.middle += std::log(answer.place);
-    box.chance += answer.chance;
-    box.expected += answer.expected;
+    addAnswer(boxes[static_cast<std::size_t>(place)], answer);
   }
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    AnswerBox& box = boxes[i];
-    if (box.trials == 0) continue;
-    box.from = scale.from * std::exp(width * static_cast<double>(i));
-    box.to = scale.from * std::exp(width * static_cast<double>(i + 1));
-    box.share = static_cast<double>(box.correct) / box.trials;
-    box.interval = wilsonInterval(box.correct, box.trials);
-    box.middle = std::exp(box.middle / box.trials);
-    box.chance /= box.trials;
-    box.expected /= box.trials;
-    box.corrected = correctedForChance(box.share, box.chance);
+    if (boxes[i].right.whole == 0) continue;
+    finishBox(boxes[i], scale.from * std::exp(width * static_cast<double>(i)),
+              scale.from * std::exp(width * static_cast<double>(i + 1)));
   }
-  std::erase_if(boxes, [](const AnswerBox& box) { return box.trials == 0; });
+  std::erase_if(boxes, [](const AnswerBox& box) { return box.right.whole == 0; });
   return boxes;
 }
+
+double AnswerBox::corrected() const { return chance < 1.0 ? (right.share() - chance) / (1.0 - chance) : 0.0; }
 
 int SiteAnswers::at(int site_true, int answer) const {
   const int column = answer == 0 ? sites : answer - 1;
@@ -286,8 +299,9 @@ int SiteAnswers::of(int site_true) const {
 TrialStatistics trialStatistics(std::span<const ChosenTrial> trials) {
   TrialStatistics statistics;
   countTrials(trials, statistics);
-  statistics.levels = computeLevelAccuracies(trials);
-  statistics.boxes = makeAnswerBoxes(trials);
+  const std::vector<PlacedAnswer> answers = placedAnswers(trials);
+  statistics.levels = answersByChange(answers);
+  statistics.boxes = answerBoxes(answers, {});
   statistics.felt = feltSites(trials);
   statistics.answers = tallyAnswers(trials);
   statistics.wrong = classifyWrongAnswers(statistics.answers);

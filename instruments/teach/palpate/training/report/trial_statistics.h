@@ -42,32 +42,33 @@ struct ShareInterval {
 };
 ShareInterval wilsonInterval(int part, int whole);
 
-struct LevelAccuracy {
-  double change = 0.0;
-  int trials = 0;  ///< counted ones
-  int correct = 0;
-  double share = 0.0;
-  ShareInterval interval;
-  double chance = 0.0;     ///< mean of 1 / places felt
-  double corrected = 0.0;  ///< (share - chance) / (1 - chance): 0 for a guesser
+/// Right ones of the answers, lumps found of those hidden.
+struct Rate {
+  int part = 0;
+  int whole = 0;
+  void count(bool is_part) {
+    ++whole;
+    part += is_part ? 1 : 0;
+  }
+  double share() const { return whole > 0 ? static_cast<double>(part) / whole : 0.0; }
+  ShareInterval interval() const { return whole > 0 ? wilsonInterval(part, whole) : ShareInterval{}; }
 };
 
 /// An answer to a change (or to a change in units of something), and how often such answers are expected to be right.
 struct PlacedAnswer {
   double place = 0.0;
   bool correct = false;
-  double chance = 0.0;
+  double chance = 0.0;    ///< 1 / places felt
   double expected = 0.0;  ///< by a fitted function, if any
 };
 
-/// Answers in a box [from, to) of places.
+/// Answers in a box [from, to) of places, or at one place.
 struct AnswerBox {
   double from = 0.0, to = 0.0;
   double middle = 0.0;  ///< geometric mean of the places
-  int trials = 0, correct = 0;
-  double share = 0.0;
-  ShareInterval interval;
-  double chance = 0.0, corrected = 0.0, expected = 0.0;
+  Rate right = {};
+  double chance = 0.0, expected = 0.0;  ///< means
+  double corrected() const;             ///< (share - chance) / (1 - chance): 0 for a guesser
 };
 
 /// Boxes between two places, even on a logarithmic scale; leaves out values outside, and empty boxes.
@@ -111,7 +112,7 @@ struct WrongAnswers {
 };
 
 struct TrialStatistics {
-  // Trials put to the trainee.
+  // Trials put to the trainee (trialCounts).
   int shown = 0;
   int warm_up = 0;
   int excluded = 0;
@@ -121,12 +122,12 @@ struct TrialStatistics {
   int not_all_felt = 0;  ///< fewer places felt than there are, warm-ups left out
   int easy = 0;          ///< counted ones at the top level, that only a lapse can miss
   int easy_wrong = 0;
-  std::vector<LevelAccuracy> levels;  ///< rising changes
-  std::vector<AnswerBox> boxes;       ///< the same, neighbours together
-  std::vector<SiteFelt> felt;         ///< each site
-  SiteAnswers answers;                ///< answers in the counted trials
+  std::vector<AnswerBox> levels;  ///< each change, rising
+  std::vector<AnswerBox> boxes;   ///< the same, neighbours together
+  std::vector<SiteFelt> felt;     ///< each site
+  SiteAnswers answers;            ///< answers in the counted trials
   WrongAnswers wrong;
-  // Over trials other than warm-ups.
+  // Over trials other than warm-ups (trialMeasures).
   Spread seconds, seconds_correct, seconds_wrong;
   Spread places_felt;
   Spread mean_force_n, peak_force_n, speed_mm_per_s;
@@ -135,5 +136,30 @@ struct TrialStatistics {
 };
 
 TrialStatistics trialStatistics(std::span<const ChosenTrial> trials);
+
+/// A count of trials, described once.
+struct TrialCount {
+  const char* name;  ///< in JSON
+  int TrialStatistics::*count;
+  const char* words = nullptr;  ///< in the table of checks, in English, for tr(); null: not in it
+};
+std::span<const TrialCount> trialCounts();
+
+/// A number that trials have, summarised over those that pass, described once.
+struct TrialMeasure {
+  const char* name;  ///< in JSON
+  Spread TrialStatistics::*spread;
+  const char* words;  ///< in a table, in English, for tr()
+  int decimals;
+  bool of_touch;  ///< how the skin was touched; else how long it took
+  bool (*passes)(const TrialRow&);
+  double (*value)(const TrialRow&);
+  // The histogram, where it has one: boxes fine enough to see a shape, few enough for a few hundred trials.
+  const char* histogram_name = nullptr;  ///< in JSON
+  Histogram TrialStatistics::*histogram = nullptr;
+  double box_width = 0.0;
+  int boxes = 0;
+};
+std::span<const TrialMeasure> trialMeasures();
 
 }  // namespace palpate::training
