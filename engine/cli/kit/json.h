@@ -22,6 +22,14 @@ Json orNull(const std::optional<Number>& number) {
   return number ? Json(*number) : Json(nullptr);
 }
 
+/// What `make` makes of each of a list.
+template <class List, class Make>
+Json listJson(const List& list, const Make& make) {
+  Json json = Json::array();
+  for (const auto& each : list) json.push_back(Json(make(each)));
+  return json;
+}
+
 /// {p50, p99, p99_9, max}, us.
 inline Json percentilesJson(const servo::DurationPercentiles& p) {
   return {{"p50", p.p50_us}, {"p99", p.p99_us}, {"p99_9", p.p99_9_us}, {"max", p.max_us}};

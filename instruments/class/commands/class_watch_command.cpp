@@ -52,18 +52,17 @@ void rememberRecords(const std::string& file, classroom::ClassWatch& watch) {
 }
 
 Json boardJson(const classroom::ClassWatch& watch) {
-  Json json = {{"connected", watch.connected()}, {"trouble", watch.trouble()}};
-  json["tiles"] = Json::array();
-  for (const classroom::Tile& tile : watch.tiles()) json["tiles"].push_back(tileJson(tile));
-  json["learning_curve"] = Json::array();
-  for (const classroom::CurvePoint& point : watch.learningCurve()) {
-    json["learning_curve"].push_back({{"number", point.number},
-                                      {"trainees", point.trainees},
-                                      {"median", point.median},
-                                      {"low", point.low},
-                                      {"high", point.high}});
-  }
-  return json;
+  const auto point_json = [](const classroom::CurvePoint& point) {
+    return Json{{"number", point.number},
+                {"trainees", point.trainees},
+                {"median", point.median},
+                {"low", point.low},
+                {"high", point.high}};
+  };
+  return {{"connected", watch.connected()},
+          {"trouble", watch.trouble()},
+          {"tiles", listJson(watch.tiles(), tileJson)},
+          {"learning_curve", listJson(watch.learningCurve(), point_json)}};
 }
 
 void printBoard(const ClassWatchArguments& arguments, const classroom::ClassWatch& watch) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "cli/kit/json.h"
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/language.h"
@@ -144,13 +145,11 @@ Json blockJson(const BlockRow& block) {
           {"threshold", block.threshold},
           {"low", block.threshold_low},
           {"high", block.threshold_high},
-          {"level", block.mastered_change ? Json(*block.mastered_change) : Json(nullptr)},
+          {"level", orNull(block.mastered_change)},
           {"verdict", wordFor(block.verdict)}};
 }
 
 Json sessionJson(Store& store, const SessionRow& session) {
-  Json blocks = Json::array();
-  for (const BlockRow& block : store.blocks(session.id)) blocks.push_back(blockJson(block));
   return {{"sitting", session.id},
           {"trainee", session.trainee_id},
           {"kind", wordFor(session.kind)},
@@ -159,7 +158,7 @@ Json sessionJson(Store& store, const SessionRow& session) {
           {"device", session.device},
           {"file", session.file},
           {"trials", countTrials(store, session)},
-          {"blocks", blocks}};
+          {"blocks", listJson(store.blocks(session.id), blockJson)}};
 }
 
 std::string sessionLine(Store& store, const SessionRow& session) {

@@ -13,6 +13,7 @@
 #include "palpate/base/json.h"
 #include "palpate/base/language.h"
 #include "palpate/training/records/verify.h"
+#include "palpate/training/report/threshold_points.h"
 #include "teach/commands/results_commands.h"
 
 namespace palpate::app {
@@ -49,10 +50,7 @@ std::vector<BlockRow> measuredBlocks(Store& store, const TraineeRow& trainee) {
   std::vector<BlockRow> measured;
   for (const SessionRow& session : store.sessions(trainee.id)) {
     for (const BlockRow& block : store.blocks(session.id)) {
-      using training::SessionKind;
-      const bool test = session.kind == SessionKind::pre_test || session.kind == SessionKind::post_test ||
-                        session.kind == SessionKind::exam || session.kind == SessionKind::retention;
-      if (test && block.finished && block.threshold > 0.0) measured.push_back(block);
+      if (training::isTest(session.kind) && block.finished && block.threshold > 0.0) measured.push_back(block);
     }
   }
   return measured;
@@ -97,8 +95,7 @@ void runResultsTrainee(const ReadingArguments& arguments) {
   const std::vector<SessionRow> sessions = store.sessions(summary.row.id);
   if (arguments.results.json) {
     Json json = traineeSummaryJson(summary);
-    json["list"] = Json::array();
-    for (const SessionRow& session : sessions) json["list"].push_back(sessionJson(store, session));
+    json["list"] = listJson(sessions, [&](const SessionRow& session) { return sessionJson(store, session); });
     return printResults(json);
   }
   const TraineeRow& row = summary.row;

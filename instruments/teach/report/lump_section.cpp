@@ -2,6 +2,7 @@
 // what was known of the lumps.
 #include <fmt/format.h>
 
+#include "cli/kit/json.h"
 #include "palpate/base/json.h"
 #include "palpate/base/language.h"
 #include "report/recording/report_html.h"
@@ -125,8 +126,7 @@ Json lumpStatisticsJson(const LumpStatistics& statistics) {
   }
   json["cue"] = {{"median", counts.threshold.median}, {"low", counts.threshold.low}, {"high", counts.threshold.high}};
   for (const training::LumpTrait& trait : training::kLumpTraits) {
-    Json& rates = json[fmt::format("by_{}", trait.name)] = Json::array();
-    for (const Rate& rate : (statistics.*trait.counted).found) rates.push_back(rateJson(rate));
+    json[fmt::format("by_{}", trait.name)] = listJson((statistics.*trait.counted).found, rateJson);
   }
   json["fixed"] = rateJson(statistics.fixed);
   json["mobile"] = rateJson(statistics.mobile);
@@ -138,6 +138,25 @@ Json lumpStatisticsJson(const LumpStatistics& statistics) {
                       {"median", statistics.error_mm.median},
                       {"greatest", statistics.error_mm.greatest}};
   return json;
+}
+
+Json sittingJson(const LumpSessionResult& sitting) {
+  Json json = {{"block", sitting.block.id},          {"trainee", shortPseudonym(sitting.trainee)},
+               {"start_ms", sitting.start_ms},       {"device", sitting.device},
+               {"finished", sitting.block.finished}, {"verdict", wordFor(sitting.block.verdict)}};
+  json.update(lumpStatisticsJson(sitting.statistics));
+  return json;
+}
+
+Json lumpGroupJson(const LumpGroup& group) {
+  return {{"kind", wordFor(group.kind)},
+          {"protocol", group.protocol_id},
+          {"protocol_version", group.protocol_version},
+          {"diameters_mm", group.task.diameters_mm},
+          {"depths_mm", group.task.depths_mm},
+          {"ratios", group.task.ratios},
+          {"all", lumpStatisticsJson(group.all)},
+          {"sittings", listJson(group.sittings, sittingJson)}};
 }
 
 }  // namespace
@@ -183,27 +202,6 @@ std::vector<std::string> lumpSentences(const TrainingReport& report) {
   return sentences;
 }
 
-Json lumpGroupsJson(const TrainingReport& report) {
-  Json json = Json::array();
-  for (const LumpGroup& group : report.lumps) {
-    Json one = {{"kind", wordFor(group.kind)},
-                {"protocol", group.protocol_id},
-                {"protocol_version", group.protocol_version},
-                {"diameters_mm", group.task.diameters_mm},
-                {"depths_mm", group.task.depths_mm},
-                {"ratios", group.task.ratios},
-                {"all", lumpStatisticsJson(group.all)},
-                {"sittings", Json::array()}};
-    for (const LumpSessionResult& sitting : group.sittings) {
-      Json row = {{"block", sitting.block.id},          {"trainee", shortPseudonym(sitting.trainee)},
-                  {"start_ms", sitting.start_ms},       {"device", sitting.device},
-                  {"finished", sitting.block.finished}, {"verdict", wordFor(sitting.block.verdict)}};
-      row.update(lumpStatisticsJson(sitting.statistics));
-      one["sittings"].push_back(std::move(row));
-    }
-    json.push_back(std::move(one));
-  }
-  return json;
-}
+Json lumpGroupsJson(const TrainingReport& report) { return listJson(report.lumps, lumpGroupJson); }
 
 }  // namespace palpate::app

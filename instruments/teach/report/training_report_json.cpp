@@ -1,5 +1,6 @@
 // Every number of the report, by names that stay.
 
+#include "cli/kit/json.h"
 #include "palpate/base/json.h"
 #include "palpate/training/psychometric.h"
 #include "teach/report/training_report.h"
@@ -27,7 +28,7 @@ Json histogramJson(const training::Histogram& histogram) {
 }
 
 /// Answers at `place`, which has members of its own.
-Json boxJson(Json place, const training::AnswerBox& box) {
+Json answersAt(Json place, const training::AnswerBox& box) {
   const training::ShareInterval interval = box.right.interval();
   place.update({{"trials", box.right.whole},
                 {"correct", box.right.part},
@@ -39,34 +40,23 @@ Json boxJson(Json place, const training::AnswerBox& box) {
   return place;
 }
 
-Json levelsJson(const std::vector<training::AnswerBox>& levels) {
-  Json json = Json::array();
-  for (const training::AnswerBox& level : levels) json.push_back(boxJson({{"change", level.middle}}, level));
+Json levelJson(const training::AnswerBox& level) { return answersAt({{"change", level.middle}}, level); }
+
+Json boxJson(const training::AnswerBox& box) {
+  Json json = answersAt({{"from", box.from}, {"to", box.to}, {"middle", box.middle}}, box);
+  json["expected"] = box.expected;
   return json;
 }
 
-Json boxesJson(const std::vector<training::AnswerBox>& boxes) {
-  Json json = Json::array();
-  for (const training::AnswerBox& box : boxes) {
-    json.push_back(boxJson({{"from", box.from}, {"to", box.to}, {"middle", box.middle}}, box));
-    json.back()["expected"] = box.expected;
-  }
-  return json;
-}
-
-Json sitesJson(const std::vector<training::SiteFelt>& sites) {
-  Json json = Json::array();
-  for (const training::SiteFelt& site : sites) {
-    json.push_back({{"site", site.site},
-                    {"trials", site.trials},
-                    {"felt", site.felt},
-                    {"presses_per_trial", site.presses},
-                    {"dwell_s_per_trial", site.dwell_s},
-                    {"peak_force_n", site.peak_force_n},
-                    {"greatest_force_n", site.greatest_force_n},
-                    {"deepest_mm", site.deepest_mm}});
-  }
-  return json;
+Json siteJson(const training::SiteFelt& site) {
+  return {{"site", site.site},
+          {"trials", site.trials},
+          {"felt", site.felt},
+          {"presses_per_trial", site.presses},
+          {"dwell_s_per_trial", site.dwell_s},
+          {"peak_force_n", site.peak_force_n},
+          {"greatest_force_n", site.greatest_force_n},
+          {"deepest_mm", site.deepest_mm}};
 }
 
 Json answersJson(const training::SiteAnswers& answers) {
@@ -80,23 +70,22 @@ Json answersJson(const training::SiteAnswers& answers) {
   return rows;
 }
 
-Json countsJson(const training::TrialStatistics& trials) {
+Json tallyJson(const training::TrialStatistics& trials) {
   Json json;
   for (const training::TrialCount& each : training::trialCounts()) json[each.name] = trials.*each.count;
   return json;
 }
 
 Json trialsJson(const training::TrialStatistics& trials) {
-  Json json = countsJson(trials);
+  Json json = tallyJson(trials);
   if (trials.shown == 0) return json;
-  json["levels"] = levelsJson(trials.levels);
-  json["boxes"] = boxesJson(trials.boxes);
-  json["sites"] = sitesJson(trials.felt);
+  json["levels"] = listJson(trials.levels, levelJson);
+  json["boxes"] = listJson(trials.boxes, boxJson);
+  json["sites"] = listJson(trials.felt, siteJson);
   json["answers"] = answersJson(trials.answers);
-  json["wrong"] = {{"beside", trials.wrong.beside},
-                   {"other_side", trials.wrong.other_side},
-                   {"elsewhere", trials.wrong.elsewhere},
-                   {"none", trials.wrong.none}};
+  const training::WrongAnswers& wrong = trials.wrong;
+  json["wrong"] = {
+      {"beside", wrong.beside}, {"other_side", wrong.other_side}, {"elsewhere", wrong.elsewhere}, {"none", wrong.none}};
   for (const training::TrialMeasure& each : training::trialMeasures()) {
     json[each.name] = spreadJson(trials.*each.spread);
     if (each.histogram != nullptr) json[each.histogram_name] = histogramJson(trials.*each.histogram);
@@ -125,8 +114,8 @@ Json pointJson(const training::ThresholdPoint& point) {
                {"choices", point.choices},
                {"finished", point.finished},
                {"verdict", wordFor(point.verdict)},
-               {"mastered_change", point.level ? Json(*point.level) : Json(nullptr)},
-               {"trials", countsJson(point.trials)},
+               {"mastered_change", orNull(point.level)},
+               {"trials", tallyJson(point.trials)},
                {"seconds", spreadJson(point.trials.seconds)},
                {"places_felt", spreadJson(point.trials.places_felt)},
                {"threshold", nullptr}};
@@ -145,13 +134,12 @@ Json pointJson(const training::ThresholdPoint& point) {
 Json comparedJson(const training::TraineeStatistics& trainee) {
   if (!trainee.compared) return nullptr;
   const training::TestsCompared& compared = *trainee.compared;
-  Json json = {{"before", trainee.points[compared.before].block}, {"now", trainee.points[compared.now].block}};
-  json["why_not"] = compared.why_not ? Json(*compared.why_not) : Json(nullptr);
+  Json json = {{"before", trainee.points[compared.before].block},
+               {"now", trainee.points[compared.now].block},
+               {"why_not", orNull(compared.why_not)}};
   if (compared.why_not) return json;
-  json["ratio"] = compared.change.ratio;
-  json["low"] = compared.change.low;
-  json["high"] = compared.change.high;
-  json["clear"] = compared.change.clear;
+  const training::ThresholdChange& change = compared.change;
+  json.update({{"ratio", change.ratio}, {"low", change.low}, {"high", change.high}, {"clear", change.clear}});
   return json;
 }
 
@@ -168,46 +156,40 @@ Json learningJson(const training::TraineeStatistics& trainee) {
     return Json{{"session", point.session}, {"median", point.median}, {"low", point.low}, {"high", point.high}};
   };
   const training::LearningFit& fit = trainee.learning->fit;
-  Json json = {{"first_block", trainee.points[trainee.curve[trainee.learning->first].point].block},
-               {"start", place(fit.start)},
-               {"end", place(fit.end)},
-               {"pace_sessions", fit.pace_sessions},
-               {"curve", Json::array()}};
-  for (const training::CurvePoint& point : fit.curve) json["curve"].push_back(place(point));
-  return json;
+  return {{"first_block", trainee.points[trainee.curve[trainee.learning->first].point].block},
+          {"start", place(fit.start)},
+          {"end", place(fit.end)},
+          {"pace_sessions", fit.pace_sessions},
+          {"curve", listJson(fit.curve, place)}};
+}
+
+Json fitJson(const training::ThresholdPoint& point) {
+  const training::FittedCurve curve =
+      training::fittedCurve(training::computePosterior(point), training::curveChanges());
+  return {{"block", point.block}, {"changes", curve.changes}, {"mean", curve.mean},
+          {"low", curve.low},     {"high", curve.high},       {"answers", listJson(point.trials.boxes, boxJson)}};
 }
 
 Json traineeJson(const training::TraineeStatistics& trainee, bool whole) {
-  Json json = {{"trainee", shortPseudonym(trainee.id)}};
-  json["points"] = Json::array();
-  for (const training::ThresholdPoint& point : trainee.points) json["points"].push_back(pointJson(point));
-  json["tests"] = whole ? trialsJson(trainee.tests) : countsJson(trainee.tests);
-  json["practice"] = whole ? trialsJson(trainee.practice) : countsJson(trainee.practice);
-  json["compared"] = comparedJson(trainee);
-  json["excluded"] = countsJson(trainee.excluded);
-  json["changed_results"] = trainee.changed_results;
+  const auto trials = whole ? &trialsJson : &tallyJson;
+  Json json = {{"trainee", shortPseudonym(trainee.id)},
+               {"points", listJson(trainee.points, pointJson)},
+               {"tests", trials(trainee.tests)},
+               {"practice", trials(trainee.practice)},
+               {"compared", comparedJson(trainee)},
+               {"excluded", countsJson(trainee.excluded)},
+               {"changed_results", trainee.changed_results}};
   if (!whole) return json;
-  json["curve"] = Json::array();
-  for (const training::FilteredPoint& point : trainee.curve) {
+  json["curve"] = listJson(trainee.curve, [&](const training::FilteredPoint& point) {
     Json filtered = summaryJson(point.filtered);
     filtered["block"] = trainee.points[point.point].block;
-    json["curve"].push_back(std::move(filtered));
-  }
+    return filtered;
+  });
   json["learning"] = learningJson(trainee);
-  json["sittings"] = Json::array();
-  for (const training::SessionQuality& session : trainee.sessions)
-    json["sittings"].push_back(sessionQualityJson(session));
+  json["sittings"] = listJson(trainee.sessions, sessionQualityJson);
   json["fits"] = Json::array();
   for (const training::ThresholdPoint& point : trainee.points) {
-    if (!point.threshold || !training::isTest(point.kind)) continue;
-    const training::FittedCurve curve =
-        training::fittedCurve(training::computePosterior(point), training::curveChanges());
-    json["fits"].push_back({{"block", point.block},
-                            {"changes", curve.changes},
-                            {"mean", curve.mean},
-                            {"low", curve.low},
-                            {"high", curve.high},
-                            {"answers", boxesJson(point.trials.boxes)}});
+    if (point.threshold && training::isTest(point.kind)) json["fits"].push_back(fitJson(point));
   }
   return json;
 }
@@ -224,34 +206,30 @@ Json groupJson(const training::GroupEstimate& group) {
           {"sd_ln", group.sd_ln}};
 }
 
-Json occasionsJson(const std::vector<training::Occasion>& occasions, bool with_group) {
-  Json json = Json::array();
-  for (const training::Occasion& occasion : occasions) {
-    json.push_back(
-        {{"kind", wordFor(occasion.kind)}, {"nth", occasion.nth}, {"medians", spreadJson(occasion.medians)}});
-    if (!with_group) continue;
-    json.back()["group"] = groupJson(occasion.group);
-    json.back()["verdicts"] = countsJson(occasion.verdicts);
-  }
+Json occasionJson(const training::Occasion& occasion) {
+  return {{"kind", wordFor(occasion.kind)}, {"nth", occasion.nth}, {"medians", spreadJson(occasion.medians)}};
+}
+
+Json classOccasionJson(const training::Occasion& occasion) {
+  Json json = occasionJson(occasion);
+  json["group"] = groupJson(occasion.group);
+  json["verdicts"] = countsJson(occasion.verdicts);
   return json;
 }
 
 Json classJson(const training::ClassStatistics& all) {
-  Json json = {{"occasions", occasionsJson(all.occasions, true)},
+  Json json = {{"occasions", listJson(all.occasions, classOccasionJson)},
                {"tests", trialsJson(all.tests)},
                {"practice", trialsJson(all.practice)},
-               {"collapsed", boxesJson(all.collapsed)},
+               {"collapsed", listJson(all.collapsed, boxJson)},
                {"change", nullptr}};
   if (!all.change) return json;
   json["change"] = {{"trainees", all.change->trainees},
                     {"clearly_better", all.change->clearly_better},
                     {"clearly_worse", all.change->clearly_worse}};
-  if (all.change->group.people >= 2) {
-    json["change"]["factor"] = all.change->group.factor;
-    json["change"]["low"] = all.change->group.low;
-    json["change"]["high"] = all.change->group.high;
-    json["change"]["sd_ln"] = all.change->group.sd_ln;
-  }
+  const training::GroupChange& group = all.change->group;
+  if (group.people < 2) return json;
+  json["change"].update({{"factor", group.factor}, {"low", group.low}, {"high", group.high}, {"sd_ln", group.sd_ln}});
   return json;
 }
 
@@ -264,20 +242,18 @@ Json trainingReportJson(const TrainingReport& report) {
                {"class", report.class_words},
                {"threshold_definition", training::kThresholdDefinition},
                {"sentences", trainingSentences(report)}};
-  json["trainees"] = Json::array();
-  for (const training::TraineeStatistics& trainee : report.statistics.trainees) {
-    json["trainees"].push_back(traineeJson(trainee, !report.of_class));
-  }
+  json["trainees"] = listJson(report.statistics.trainees, [&](const training::TraineeStatistics& trainee) {
+    return traineeJson(trainee, !report.of_class);
+  });
   if (report.of_class) {
     json["all"] = classJson(report.statistics.all);
   } else {
-    json["others"] = occasionsJson(report.others, false);
+    json["others"] = listJson(report.others, occasionJson);
   }
   if (!report.lumps.empty()) json["lumps"] = lumpGroupsJson(report);
-  json["protocols"] = Json::array();
-  for (const training::ProtocolRow& row : report.record.protocols) {
-    json["protocols"].push_back({{"id", row.id}, {"version", row.version}, {"sha256", row.sha256}});
-  }
+  json["protocols"] = listJson(report.record.protocols, [](const training::ProtocolRow& row) {
+    return Json{{"id", row.id}, {"version", row.version}, {"sha256", row.sha256}};
+  });
   return json;
 }
 
