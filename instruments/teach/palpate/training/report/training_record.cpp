@@ -1,4 +1,4 @@
-#include "palpate/training/report/threshold_points.h"
+#include "palpate/training/report/training_record.h"
 
 #include <algorithm>
 
