@@ -97,6 +97,10 @@ std::string htmlElement(std::string_view tag, std::string_view text) {
   return fmt::format("<{0}>{1}</{0}>", tag, escapedText(text));
 }
 
+std::string headingHtml(std::string_view text) { return htmlElement("h2", text) + "\n"; }
+
+std::string paragraphHtml(std::string_view text) { return htmlElement("p", text) + "\n"; }
+
 std::string tableOf(std::string_view kind, const Cells& headings, const std::vector<Cells>& rows) {
   std::string html = fmt::format("<div class=\"wide\"><table class=\"{}\">", kind);
   if (!headings.empty()) html += "<thead>" + htmlRow("th", headings) + "</thead>";
@@ -128,6 +132,12 @@ std::string summaryHtml(const std::vector<std::string>& sentences) {
   std::string html = "<ul class=\"summary\">\n";
   for (const std::string& sentence : sentences) html += htmlElement("li", sentence) + "\n";
   return html + "</ul>\n";
+}
+
+std::string definitionsHtml(const std::vector<std::pair<std::string, std::string>>& meanings) {
+  std::string html = headingHtml(tr("What the terms mean")) + "<dl>\n";
+  for (const auto& [word, meaning] : meanings) html += htmlElement("dt", word) + htmlElement("dd", meaning) + "\n";
+  return html + "</dl>\n";
 }
 
 }  // namespace palpate::app

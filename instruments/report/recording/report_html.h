@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "report/charts/figure.h"
@@ -15,6 +16,10 @@ namespace palpate::app {
 std::string escapedText(std::string_view text);
 
 std::string htmlElement(std::string_view tag, std::string_view text);
+
+/// A heading of a section, and a paragraph, each with a line end.
+std::string headingHtml(std::string_view text);
+std::string paragraphHtml(std::string_view text);
 
 using Cells = std::vector<std::string>;
 
@@ -33,6 +38,9 @@ std::string pageBegin(std::string_view name);
 inline constexpr std::string_view kPageEnd = "</main>\n</body>\n</html>\n";
 /// The main results, in sentences.
 std::string summaryHtml(const std::vector<std::string>& sentences);
+
+/// The section with what the terms of a report mean.
+std::string definitionsHtml(const std::vector<std::pair<std::string, std::string>>& meanings);
 
 // The tables of a recording's report, each with its heading; empty without rows.
 

@@ -79,7 +79,7 @@ std::string picturesHtml(const std::vector<ReportPicture>& pictures, const Progr
   std::string html;
   for (const ReportPicture& picture : pictures) {
     palpate::report(progress, "drawing " + picture.id, 0.0);
-    if (!picture.heading.empty()) html += htmlElement("h2", picture.heading) + "\n";
+    if (!picture.heading.empty()) html += headingHtml(picture.heading);
     html += figureHtml(picture.id, picture.figure, picture.caption, picture.caption);
   }
   return html;
@@ -90,12 +90,10 @@ std::string picturesHtml(const std::vector<ReportPicture>& pictures, const Progr
 std::string bodySection(const RecordingReport& report, const Progress& progress) {
   std::string html = picturesHtml(bodyPictures(report), progress);
   if (!report.body.why_not.empty()) {
-    html += htmlElement(
-                "p", report.body.why_not + " " +
-                         tr("So the map above shows places only; name the folder of the body's files with --folder.")) +
-            "\n";
+    html += paragraphHtml(report.body.why_not + " " +
+                          tr("So the map above shows places only; name the folder of the body's files with --folder."));
   }
-  for (const std::string& note : report.body.notes) html += htmlElement("p", note) + "\n";
+  for (const std::string& note : report.body.notes) html += paragraphHtml(note);
   if (!report.body.surface) return html;
   const trace::TouchedSurface& surface = *report.body.surface;
   const double share = surface.dorsal_mm2 > 0.0 ? surface.touched_dorsal_mm2 / surface.dorsal_mm2 : 0.0;
@@ -105,11 +103,9 @@ std::string bodySection(const RecordingReport& report, const Progress& progress)
                    {tr("touched of the back (mm²)"), counted(surface.touched_dorsal_mm2)},
                    {tr("share of the back that was touched"), percent(share)}});
   if (surface.astray_ticks > 0 || report.statistics.places_left_out > 0) {
-    html +=
-        htmlElement("p",
-                    trf("{} s of touch are not on this skin and are left out.",
-                        rounded(report.statistics.seconds(surface.astray_ticks + report.statistics.places_left_out)))) +
-        "\n";
+    html += paragraphHtml(
+        trf("{} s of touch are not on this skin and are left out.",
+            rounded(report.statistics.seconds(surface.astray_ticks + report.statistics.places_left_out))));
   }
   return html;
 }
@@ -149,9 +145,7 @@ std::string definitionsSection(const RecordingReport& report) {
           "back.")},
       {tr("Limits"), tr("All values are what the program computed and the device reported. They do not measure skill "
                         "or diagnose anything; Palpate is not a medical device.")}};
-  std::string html = htmlElement("h2", tr("What the terms mean")) + "\n<dl>\n";
-  for (const auto& [word, meaning] : definitions) html += htmlElement("dt", word) + htmlElement("dd", meaning) + "\n";
-  return html + "</dl>\n";
+  return definitionsHtml(definitions);
 }
 
 std::string pageHead(const RecordingReport& report) {

@@ -69,10 +69,10 @@ std::string longestPhases(const RecordingReport& report) {
                     formatFixed(report.statistics.seconds(span.ticks()), 2)});
   }
   if (rows.empty()) return {};
-  return htmlElement("p", all > kMaxPhases ? trf("The {} longest phases on the skin of {}:", kMaxPhases,
-                                                 counted(static_cast<double>(all)))
-                                           : std::string(tr("All phases on the skin:"))) +
-         "\n" + tableOf("numbers", {tr("finger"), tr("phase"), tr("begin (s)"), tr("length (s)")}, rows);
+  return paragraphHtml(all > kMaxPhases ? trf("The {} longest phases on the skin of {}:", kMaxPhases,
+                                              counted(static_cast<double>(all)))
+                                        : std::string(tr("All phases on the skin:"))) +
+         tableOf("numbers", {tr("finger"), tr("phase"), tr("begin (s)"), tr("length (s)")}, rows);
 }
 
 std::string bitsTable(const RecordingReport& report, const std::vector<StatusLine>& lines) {
@@ -110,18 +110,18 @@ std::string sizesTable(const RecordingReport& report) {
     }
   }
   if (rows.empty()) return {};
-  return htmlElement("p", tr("While in contact:")) + "\n" +
+  return paragraphHtml(tr("While in contact:")) +
          tableOf("numbers", {"", tr("mean"), tr("median"), tr("95 % are below"), tr("largest")}, rows);
 }
 
 std::string phasesSection(const RecordingReport& report) {
   const std::string times = phaseTimes(report);
-  return times.empty() ? times : htmlElement("h2", tr("Search and palpation")) + "\n" + times + longestPhases(report);
+  return times.empty() ? times : headingHtml(tr("Search and palpation")) + times + longestPhases(report);
 }
 
 std::string contactsSection(const RecordingReport& report) {
-  std::string html = htmlElement("h2", tr("Contacts")) + "\n";
-  if (report.statistics.contact_count == 0) return html + htmlElement("p", tr("No finger touched the skin.")) + "\n";
+  std::string html = headingHtml(tr("Contacts"));
+  if (report.statistics.contact_count == 0) return html + paragraphHtml(tr("No finger touched the skin."));
   std::vector<trace::Contact> contacts = report.statistics.contacts;
   std::stable_sort(contacts.begin(), contacts.end(),
                    [](const auto& a, const auto& b) { return a.first_tick < b.first_tick; });
@@ -151,13 +151,13 @@ std::string contactsSection(const RecordingReport& report) {
 }
 
 std::string safetySection(const RecordingReport& report) {
-  std::string html = htmlElement("h2", tr("Safety")) + "\n";
-  html += htmlElement("p", trf("Emergency stops: {}.", emergencyStops(report))) + "\n";
+  std::string html = headingHtml(tr("Safety"));
+  html += paragraphHtml(trf("Emergency stops: {}.", emergencyStops(report)));
   const std::vector<StatusLine> safety = safetyLines(report);
-  html += safety.empty() ? htmlElement("p", tr("The safety limits never had to act.")) + "\n"
-                         : htmlElement("p", tr("Actions of the safety limits:")) + "\n" + bitsTable(report, safety);
+  html += safety.empty() ? paragraphHtml(tr("The safety limits never had to act."))
+                         : paragraphHtml(tr("Actions of the safety limits:")) + bitsTable(report, safety);
   const std::vector<StatusLine> contact = contactLines(report);
-  if (!contact.empty()) html += htmlElement("p", tr("What the contact reported:")) + "\n" + bitsTable(report, contact);
+  if (!contact.empty()) html += paragraphHtml(tr("What the contact reported:")) + bitsTable(report, contact);
   return html;
 }
 
@@ -180,7 +180,7 @@ std::string servoSection(const RecordingReport& report) {
   if (ticks.out_of_order > 0) {
     rows.push_back({tr("ticks out of order, left out here"), counted(static_cast<double>(ticks.out_of_order))});
   }
-  return htmlElement("h2", tr("The loop and its record")) + "\n" + tableOf("numbers", {}, rows) +
+  return headingHtml(tr("The loop and its record")) + tableOf("numbers", {}, rows) +
          quietLine(tr("A missing tick is one that the loop did not reach in time, or whose sample was dropped."));
 }
 
@@ -193,7 +193,7 @@ std::string eventsSection(const RecordingReport& report) {
     rows.push_back({formatFixed(report.secondsAt(event.tick), 3), known ? fingerName(report, *event.finger) : "",
                     event.kind, event.text});
   }
-  std::string html = htmlElement("h2", tr("Events and marks")) + "\n" +
+  std::string html = headingHtml(tr("Events and marks")) +
                      tableOf("words", {tr("at (s)"), tr("finger"), tr("kind"), tr("text")}, rows);
   if (report.events.size() > rows.size()) {
     html += quietLine(trf("{} more are not shown here; --json lists all.",

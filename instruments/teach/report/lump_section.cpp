@@ -164,19 +164,18 @@ Json lumpGroupJson(const LumpGroup& group) {
 std::string lumpSections(const TrainingReport& report) {
   std::string html;
   for (const LumpGroup& group : report.lumps) {
-    html += htmlElement("h2", groupName(group)) + "\n" + sittingsTable(group, report.of_class) + kindsTable(group);
+    html += headingHtml(groupName(group)) + sittingsTable(group, report.of_class) + kindsTable(group);
     if (group.all.error_mm.count > 0) {
-      html += htmlElement("p", trf("Named places were {:.1f} mm from the lumps (median; the farthest {:.1f} mm).",
-                                   group.all.error_mm.median, group.all.error_mm.greatest)) +
-              "\n";
+      html += paragraphHtml(trf("Named places were {:.1f} mm from the lumps (median; the farthest {:.1f} mm).",
+                                group.all.error_mm.median, group.all.error_mm.greatest));
     }
     html += foldedHtml(tr("Answers about the lumps that were found"), saidTable(group));
   }
   if (!html.empty()) {
-    html += htmlElement("p", tr("C is how clearly a lump is felt: the change of force and of the pressure pattern over "
-                                "it, each divided by the smallest that people notice. d′ is how well bodies with a "
-                                "lump were distinguished from those without: 0 is guessing.")) +
-            "\n";
+    html +=
+        paragraphHtml(tr("C is how clearly a lump is felt: the change of force and of the pressure pattern over "
+                         "it, each divided by the smallest that people notice. d′ is how well bodies with a "
+                         "lump were distinguished from those without: 0 is guessing."));
   }
   return html;
 }

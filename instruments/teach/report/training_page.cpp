@@ -61,7 +61,7 @@ class PageWriter {
     }
     add(lumpSections(report_));
     if (report_.of_class && !report_.statistics.trainees.empty()) {
-      addHeading(tr("Every trainee"));
+      add(headingHtml(tr("Every trainee")));
       add(traineesTable(report_.statistics));
     }
     if (!report_.statistics.trainees.empty()) add(qualitySection(report_));
@@ -72,7 +72,6 @@ class PageWriter {
 
  private:
   void add(const std::string& html) { html_ += html; }
-  void addHeading(std::string_view words) { html_ += htmlElement("h2", words) + "\n"; }
   void addPicture(const TrainingPicture& picture) {
     palpate::report(progress_, "drawing " + picture.id, 0.0);
     add(figureHtml(picture.id, picture.figure, picture.alternative, picture.caption));
@@ -81,7 +80,7 @@ class PageWriter {
 
   void traineeSections() {
     const TraineeStatistics& trainee = report_.statistics.trainees.front();
-    addHeading(tr("Learning curve"));
+    add(headingHtml(tr("Learning curve")));
     if (!trainee.curve.empty()) addPicture(curvePicture(trainee, report_.others));
     add(blocksTable(trainee));
     std::vector<const ThresholdPoint*> fitted;
@@ -93,19 +92,19 @@ class PageWriter {
     }
     if (fitted.empty()) return;
     if (fitted.size() > 2) fitted.erase(fitted.begin() + 1, fitted.end() - 1);
-    addHeading(tr("Fitted function"));
+    add(headingHtml(tr("Fitted function")));
     addPicture(fitPicture(fitted));
     add(fitsTable(trainee));
   }
 
   void classSections() {
     const training::ClassStatistics& all = report_.statistics.all;
-    addHeading(tr("Learning curve"));
-    if (all.occasions.empty()) add(htmlElement("p", tr("No block has enough answers for a threshold.")) + "\n");
+    add(headingHtml(tr("Learning curve")));
+    if (all.occasions.empty()) add(paragraphHtml(tr("No block has enough answers for a threshold.")));
     if (!all.occasions.empty()) addPicture(classCurvePicture(report_.statistics));
     add(occasionsTable(all));
     if (all.collapsed.empty()) return;
-    addHeading(tr("Fitted function"));
+    add(headingHtml(tr("Fitted function")));
     addPicture(collapsedPicture(all.collapsed));
   }
 
@@ -117,14 +116,14 @@ class PageWriter {
 
   void accuracy() {
     if (!anyCounted()) return;
-    addHeading(tr("Right answers"));
+    add(headingHtml(tr("Right answers")));
     addPicture(accuracyPicture(tests_, practice_));
     add(levelsTable(tests_, tr("tests")) + levelsTable(practice_, tr("practice")));
   }
 
   void coverage() {
     palpate::report(progress_, "building the back", 0.0);
-    addHeading(tr("What was felt"));
+    add(headingHtml(tr("What was felt")));
     const std::optional<ReportBack> back = reportBack(report_);
     for (const auto& [trials, what] : bothParts()) {
       if (trials->shown == trials->warm_up) continue;
@@ -138,20 +137,20 @@ class PageWriter {
   }
 
   void handling() {
-    addHeading(tr("Force and speed"));
+    add(headingHtml(tr("Force and speed")));
     if (anyCounted()) addPicture(handlingPicture(tests_, practice_));
     add(measuresTable(tests_, practice_, true));
   }
 
   void seconds() {
-    addHeading(tr("Time for a trial"));
+    add(headingHtml(tr("Time for a trial")));
     if (anyCounted()) addPicture(secondsPicture(tests_, practice_));
     add(measuresTable(tests_, practice_, false));
   }
 
   void answers() {
     if (!anyCounted()) return;
-    addHeading(tr("Which sites were confused"));
+    add(headingHtml(tr("Which sites were confused")));
     for (const auto& [trials, what] : bothParts()) {
       if (trials->counted == 0) continue;
       TrainingPicture picture = answersPicture(*trials, tr(what));
@@ -181,10 +180,7 @@ class PageWriter {
             "was not felt cannot be found; guessing is then among the places that were felt.")},
         {tr("Search, palpation"), tr("On the skin: moving faster than 20 mm/s, or slower.")},
         {tr("What is not shown"), tr(kNotShown)}};
-    addHeading(tr("What the terms mean"));
-    add("<dl>\n");
-    for (const auto& [word, meaning] : words) add(htmlElement("dt", word) + htmlElement("dd", meaning) + "\n");
-    add("</dl>\n");
+    add(definitionsHtml(words));
   }
 
   /// In the page for programs; markup letters are escaped as JSON has it, so that they are none.

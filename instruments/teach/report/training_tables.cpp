@@ -303,11 +303,11 @@ std::string answersTable(const TrialStatistics& trials, const std::string& what)
       trf("Of {} wrong answers in {}, {} named the neighbouring level on the same side, {} the same level on the other "
           "side, {} another place, {} none in time.",
           trials.counted - trials.correct, what, wrong.beside, wrong.other_side, wrong.elsewhere, wrong.none);
-  return htmlElement("p", where) + "\n" + foldedHtml(trf("Counts: {}", what), tableOf("numbers", head, rows));
+  return paragraphHtml(where) + foldedHtml(trf("Counts: {}", what), tableOf("numbers", head, rows));
 }
 
 std::string qualitySection(const TrainingReport& report) {
-  std::string html = htmlElement("h2", tr("Data quality")) + "\n";
+  std::string html = headingHtml(tr("Data quality"));
   const training::TrainingStatistics& statistics = report.statistics;
   html += checksTable(statistics.all.tests, statistics.all.practice);
   training::Reasons excluded;
@@ -316,13 +316,11 @@ std::string qualitySection(const TrainingReport& report) {
     for (const auto& [reason, count] : trainee.excluded) excluded[reason] += count;
     changed += trainee.changed_results;
   }
-  if (!excluded.empty())
-    html += htmlElement("p", trf("Left out, with the reason: {}.", formatReasonCounts(excluded))) + "\n";
-  html += htmlElement("p", changed == 0 ? tr("Every stored result matches its trials.")
-                                        : trf("{} stored results do not match their trials: the record was changed, or "
-                                              "written by another version.",
-                                              changed)) +
-          "\n";
+  if (!excluded.empty()) html += paragraphHtml(trf("Left out, with the reason: {}.", formatReasonCounts(excluded)));
+  html += paragraphHtml(changed == 0 ? tr("Every stored result matches its trials.")
+                                     : trf("{} stored results do not match their trials: the record was changed, or "
+                                           "written by another version.",
+                                           changed));
   if (!report.of_class) html += sessionsTable(statistics.trainees.front());
   std::vector<Cells> protocols;
   for (const training::ProtocolRow& row : report.record.protocols) {
