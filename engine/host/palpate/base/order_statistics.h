@@ -1,9 +1,12 @@
-// Medians and quantiles of values in any order. Each takes a copy, which it sorts as far as needed.
+// Medians and quantiles of values in any order. Each takes a copy, which it sorts as far as needed; values with weights
+// come sorted.
 #pragma once
 
 #include <algorithm>
+#include <compare>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace palpate {
@@ -35,6 +38,24 @@ inline double quantileOf(std::vector<double> values, double share) {
   const auto below = static_cast<std::size_t>(rank);
   const std::size_t above = std::min(below + 1, values.size() - 1);
   return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+struct WeighedValue {
+  double value = 0.0;
+  double weight = 0.0;
+  friend auto operator<=>(const WeighedValue&, const WeighedValue&) = default;
+};
+
+/// The least value with this share of all weight at or below it. `sorted` rises and is not empty.
+inline double weighedQuantile(std::span<const WeighedValue> sorted, double share) {
+  double all = 0.0;
+  for (const WeighedValue& each : sorted) all += each.weight;
+  double below = 0.0;
+  for (const WeighedValue& each : sorted) {
+    below += each.weight;
+    if (below >= share * all) return each.value;
+  }
+  return sorted.back().value;
 }
 
 }  // namespace palpate

@@ -7,6 +7,7 @@
 
 #include "palpate/base/elementary.h"
 #include "palpate/base/error.h"
+#include "palpate/base/order_statistics.h"
 #include "palpate/base/random.h"
 #include "palpate/lumps/lump_observer.h"
 
@@ -294,30 +295,22 @@ CueThreshold cueThreshold(const std::vector<Sought>& sought) {
   constexpr double kAttention = 0.98;
   constexpr std::array kSpreads = {0.5, 1.0, 1.7, 2.5, 3.4};
   if (sought.empty()) return {};
-  std::vector<double> weights(kPoints, 0.0);
-  const auto place_of = [](int i) { return kReach * (2.0 * i / (kPoints - 1) - 1.0); };
+  std::vector<WeighedValue> cues(kPoints);
   for (int i = 0; i < kPoints; ++i) {
-    const double place = place_of(i);
+    const double place = kReach * (2.0 * i / (kPoints - 1) - 1.0);
+    WeighedValue& cue = cues[static_cast<std::size_t>(i)];
+    cue.value = elementary::exp(place);
     for (const double spread : kSpreads) {
       double weight = elementary::exp(-0.5 * elementary::square(place / kPriorSd));
       for (const Sought& lump : sought) {
         const double right = kAttention * standardNormalBelow((lump.ln_cue - place) / spread);
         weight *= lump.found ? right : 1.0 - right;
       }
-      weights[static_cast<std::size_t>(i)] += weight;
+      cue.weight += weight;
     }
   }
-  double sum = 0.0;
-  for (const double weight : weights) sum += weight;
-  const auto quantile = [&](double share) {
-    double below = 0.0;
-    for (int i = 0; i < kPoints; ++i) {
-      below += weights[static_cast<std::size_t>(i)];
-      if (below >= share * sum) return elementary::exp(place_of(i));
-    }
-    return elementary::exp(kReach);
-  };
-  return {.median = quantile(0.5), .low = quantile(0.025), .high = quantile(0.975)};
+  return {
+      .median = weighedQuantile(cues, 0.5), .low = weighedQuantile(cues, 0.025), .high = weighedQuantile(cues, 0.975)};
 }
 
 }  // namespace

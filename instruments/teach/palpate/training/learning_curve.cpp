@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
+#include "palpate/base/order_statistics.h"
 #include "palpate/training/threshold_likelihood.h"
 
 namespace palpate::training {
@@ -71,23 +71,14 @@ double valueAt(const ThresholdLikelihood& likelihood, double place) {
 /// 2.5, 50 and 97.5 % of one quantity over all curves.
 template <class Quantity>
 CurvePoint computeCurvePoint(const std::vector<WeighedCurve>& curves, double session, const Quantity& quantity) {
-  std::vector<std::pair<double, double>> values;
+  std::vector<WeighedValue> values;
   values.reserve(curves.size());
-  double all = 0.0;
-  for (const WeighedCurve& curve : curves) {
-    values.emplace_back(quantity(curve), curve.weight);
-    all += curve.weight;
-  }
+  for (const WeighedCurve& curve : curves) values.push_back({quantity(curve), curve.weight});
   std::sort(values.begin(), values.end());
-  constexpr std::array kShares = {0.025, 0.5, 0.975};
-  std::array<double, 3> found{};
-  double below = 0.0;
-  std::size_t next = 0;
-  for (const auto& [value, weight] : values) {
-    below += weight;
-    while (next < kShares.size() && below >= kShares[next] * all) found[next++] = value;
-  }
-  return {.session = session, .median = found[1], .low = found[0], .high = found[2]};
+  return {.session = session,
+          .median = weighedQuantile(values, 0.5),
+          .low = weighedQuantile(values, 0.025),
+          .high = weighedQuantile(values, 0.975)};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "palpate/base/language.h"
+#include "palpate/base/order_statistics.h"
 #include "palpate/training/psychometric.h"
 
 namespace palpate::training {
@@ -82,22 +83,6 @@ ThresholdPoint makeThresholdPoint(const TrainingRecord& record, const SessionRec
   return point;
 }
 
-/// One change with its weight in the grid.
-struct Weighed {
-  double probability = 0.0;
-  double weight = 0.0;
-};
-
-/// The least value with this share of the weight at or below it. `sorted` rises.
-double weighedQuantile(const std::vector<Weighed>& sorted, double share) {
-  double sum = 0.0;
-  for (const Weighed& each : sorted) {
-    sum += each.weight;
-    if (sum >= share) return each.probability;
-  }
-  return sorted.back().probability;
-}
-
 }  // namespace
 
 bool isTest(SessionKind kind) {
@@ -147,7 +132,7 @@ FittedCurve fittedCurve(const Posterior& posterior, const std::vector<double>& c
   FittedCurve curve{.changes = changes, .mean = {}, .low = {}, .high = {}};
   const std::size_t slopes = posterior.slopes().size();
   const std::size_t lapses = posterior.lapses().size();
-  std::vector<Weighed> weighed(posterior.weights().size());
+  std::vector<WeighedValue> weighed(posterior.weights().size());
   for (const double change : changes) {
     double mean = 0.0;
     for (std::size_t i = 0; i < weighed.size(); ++i) {
@@ -156,9 +141,9 @@ FittedCurve fittedCurve(const Posterior& posterior, const std::vector<double>& c
                                   .lapse = posterior.lapses()[i % lapses],
                                   .guess = 1.0 / posterior.choices()};
       weighed[i] = {probabilityCorrect(function, change), posterior.weights()[i]};
-      mean += weighed[i].probability * weighed[i].weight;
+      mean += weighed[i].value * weighed[i].weight;
     }
-    std::ranges::sort(weighed, {}, &Weighed::probability);
+    std::sort(weighed.begin(), weighed.end());
     curve.mean.push_back(mean);
     curve.low.push_back(weighedQuantile(weighed, kTail));
     curve.high.push_back(weighedQuantile(weighed, 1.0 - kTail));

@@ -78,8 +78,7 @@ struct ClassChange {
 };
 
 struct ClassStatistics {
-  std::vector<Occasion> occasions;              ///< in the order in which the class came to them
-  std::optional<FittedLearning> learning = {};  ///< newest device, three blocks or more
+  std::vector<Occasion> occasions;  ///< in the order in which the class came to them
   TrialStatistics tests = {}, practice = {};
   std::optional<ClassChange> change;  ///< first and last test of each
   /// Answers of tests against the change in units of each block's own threshold: do all follow one curve?

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "palpate/base/language.h"
+#include "palpate/base/order_statistics.h"
 
 namespace palpate::training {
 
@@ -235,13 +236,6 @@ std::string exclusionReason(const TrialRow& trial) {
   return trial.sites_felt < 2 ? "fewer than two places felt" : "";  // as a block has it: nothing to compare with
 }
 
-double sortedQuantile(std::span<const double> sorted, double share) {
-  const double at = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 Spread computeSpread(std::vector<double> values) {
   if (values.empty()) return {};
   std::ranges::sort(values);
@@ -250,9 +244,9 @@ Spread computeSpread(std::vector<double> values) {
   return {.count = values.size(),
           .mean = sum / static_cast<double>(values.size()),
           .least = values.front(),
-          .lower_quartile = sortedQuantile(values, 0.25),
-          .median = sortedQuantile(values, 0.5),
-          .upper_quartile = sortedQuantile(values, 0.75),
+          .lower_quartile = palpate::quantileOf(values, 0.25),
+          .median = palpate::quantileOf(values, 0.5),
+          .upper_quartile = palpate::quantileOf(values, 0.75),
           .greatest = values.back()};
 }
 

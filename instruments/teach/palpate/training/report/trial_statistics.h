@@ -33,8 +33,6 @@ struct Spread {
   double mean = 0.0, least = 0.0, lower_quartile = 0.0, median = 0.0, upper_quartile = 0.0, greatest = 0.0;
 };
 Spread computeSpread(std::vector<double> values);
-/// Between neighbours on a straight line; `sorted` rises and is not empty.
-double sortedQuantile(std::span<const double> sorted, double share);
 
 /// The 95 % interval of the share `part` / `whole`; `whole` > 0.
 struct ShareInterval {
