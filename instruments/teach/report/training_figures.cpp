@@ -111,11 +111,13 @@ figures::Axis occasionAxis(const std::vector<std::string>& words) {
 
 void addSentence(std::string& text, const std::string& sentence) { text += (text.empty() ? "" : " ") + sentence; }
 
-figures::Figure wideFigure(Plot plot, double height_px) {
+/// Side by side.
+figures::Figure panelFigure(double height_px, std::vector<Plot> plots) {
   figures::Figure figure;
-  figure.panel_width_px = 860.0;
+  figure.columns = static_cast<int>(plots.size());
+  figure.panel_width_px = (860.0 - 18.0 * static_cast<double>(plots.size() - 1)) / static_cast<double>(plots.size());
   figure.panel_height_px = height_px;
-  figure.panels.emplace_back(std::move(plot));
+  for (Plot& plot : plots) figure.panels.emplace_back(std::move(plot));
   return figure;
 }
 
@@ -269,7 +271,7 @@ TrainingPicture curvePicture(const TraineeStatistics& trainee, const std::vector
               (has_others ? std::string(" ") + tr("Grey: the middle half of the class.") : std::string()),
           firstAndLast(tr("Learning curve, smallest reliable change"), said(trainee.curve.front()),
                        said(trainee.curve.back()), trainee.curve.size()),
-          wideFigure(std::move(plot), 400.0)};
+          panelFigure(400.0, {std::move(plot)})};
 }
 
 TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics) {
@@ -322,7 +324,7 @@ TrainingPicture classCurvePicture(const training::TrainingStatistics& statistics
       tr("Lower is better. Dots: each trainee's own threshold; grey: the middle half of them. Diamonds: the mean of "
          "the group behind them, which allows for how well each trainee is known."),
       firstAndLast(tr("Learning curve of the class"), said(0), said(occasions.size() - 1), occasions.size()),
-      wideFigure(std::move(plot), 420.0)};
+      panelFigure(420.0, {std::move(plot)})};
 }
 
 TrainingPicture fitPicture(const std::vector<const ThresholdPoint*>& blocks) {
@@ -364,7 +366,7 @@ TrainingPicture collapsedPicture(const std::vector<AnswerBox>& boxes) {
          "expect. Below the threshold, dots are somewhat under the line even if the model holds exactly: answers chose "
          "both the changes and the threshold. The picture shows the answers; it does not test the model."),
       trf("Right answers of tests by change over own threshold: {}.", formatAnswerBoxes(boxes, 1.0, "")),
-      wideFigure(std::move(plot), 360.0)};
+      panelFigure(360.0, {std::move(plot)})};
 }
 
 // ---- accuracy, force, time
@@ -418,15 +420,6 @@ double lastBox(const std::vector<ShownTrials>& shown,
   return end;
 }
 
-figures::Figure panelFigure(std::vector<Plot> plots) {
-  figures::Figure figure;
-  figure.columns = static_cast<int>(plots.size());
-  figure.panel_width_px = (860.0 - 18.0 * static_cast<double>(plots.size() - 1)) / static_cast<double>(plots.size());
-  figure.panel_height_px = 320.0;
-  for (Plot& plot : plots) figure.panels.emplace_back(std::move(plot));
-  return figure;
-}
-
 Plot sharePlot(std::string title, std::string label, std::string unit, double to) {
   Plot plot{.title = std::move(title)};
   plot.x = {.label = std::move(label), .unit = std::move(unit), .from = 0.0, .to = to};
@@ -460,7 +453,7 @@ TrainingPicture accuracyPicture(const TrialStatistics& tests, const TrialStatist
       "accuracy",
       tr("Neighbouring changes together; the table below has each. Corrected for chance, 0 % is a guesser and 100 % "
          "finds every place. Bars: 95 %."),
-      alternative, panelFigure({std::move(raw), std::move(corrected)})};
+      alternative, panelFigure(320.0, {std::move(raw), std::move(corrected)})};
 }
 
 namespace {
@@ -498,7 +491,7 @@ TrainingPicture handlingPicture(const TrialStatistics& tests, const TrialStatist
   return {"handling",
           tr("How hard and how fast: means of each trial while the finger moves over the skin (search) and while it "
              "stays (palpation)."),
-          alternative, panelFigure(std::move(plots))};
+          alternative, panelFigure(320.0, std::move(plots))};
 }
 
 TrainingPicture secondsPicture(const TrialStatistics& tests, const TrialStatistics& practice) {
@@ -511,7 +504,7 @@ TrainingPicture secondsPicture(const TrialStatistics& tests, const TrialStatisti
                                  each.trials->seconds.median, each.trials->seconds.lower_quartile,
                                  each.trials->seconds.upper_quartile));
   }
-  return {"seconds", tr("How long a trial took, pauses left out."), alternative, wideFigure(std::move(plot), 280.0)};
+  return {"seconds", tr("How long a trial took, pauses left out."), alternative, panelFigure(280.0, {std::move(plot)})};
 }
 
 }  // namespace palpate::app

@@ -106,6 +106,18 @@ GroupRun groupRun(const std::vector<double>& before, const std::vector<double>& 
   return run;
 }
 
+/// Of people drawn at random; who was good before need not be good after.
+GroupRun drawnGroupRun(std::size_t people, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<double> before;
+  std::vector<double> after;
+  for (std::size_t i = 0; i < people; ++i) {
+    before.push_back(personThreshold(kBefore, random.normal()));
+    after.push_back(personThreshold(kAfter, random.normal()));
+  }
+  return groupRun(before, after, seed);
+}
+
 std::vector<double> posteriorMedians(const std::vector<std::vector<Answer>>& people) {
   std::vector<double> medians;
   for (const auto& answers : people) medians.push_back(believed(answers).summary().median);
@@ -141,14 +153,7 @@ void coverGroups(TrainingMeasurement& found, const Progress& progress) {
   for (std::size_t group = 0; group < groups; ++group) {
     report(progress, "groups of 89", static_cast<double>(group) / static_cast<double>(groups));
     const std::uint64_t seed = runSeed(found.plan.seed, cellNumber(TrainingPart::groups, 0), group);
-    Random random(seed);
-    std::vector<double> before;
-    std::vector<double> after;
-    for (std::size_t i = 0; i < kPeopleOfExample; ++i) {
-      before.push_back(personThreshold(kBefore, random.normal()));
-      after.push_back(personThreshold(kAfter, random.normal()));
-    }
-    const GroupRun run = groupRun(before, after, seed);
+    const GroupRun run = drawnGroupRun(kPeopleOfExample, seed);
     for (const auto& [people, truth] : {std::pair(&run.before, kBefore), std::pair(&run.after, kAfter)}) {
       const auto fitted = training::groupThreshold(computeLikelihoods(*people));
       if (fitted.low <= truth && truth <= fitted.high) ++by_groups;
@@ -170,14 +175,7 @@ void measurePower(TrainingMeasurement& found, const Progress& progress) {
   for (std::size_t repeat = 0; repeat < found.plan.repeats; ++repeat) {
     report(progress, "power", static_cast<double>(repeat) / static_cast<double>(found.plan.repeats));
     const std::uint64_t seed = runSeed(found.plan.seed, cellNumber(TrainingPart::power, 0), repeat);
-    Random random(seed);
-    std::vector<double> before;
-    std::vector<double> after;
-    for (std::size_t i = 0; i < kMaxPeople; ++i) {  // who was good before need not be good after
-      before.push_back(personThreshold(kBefore, random.normal()));
-      after.push_back(personThreshold(kAfter, random.normal()));
-    }
-    const GroupRun run = groupRun(before, after, seed);
+    const GroupRun run = drawnGroupRun(kMaxPeople, seed);
     const std::vector<double> told_before = posteriorMedians(run.before);
     const std::vector<double> told_after = posteriorMedians(run.after);
     for (std::size_t s = 0; s < sizes.size(); ++s) {
