@@ -10,13 +10,10 @@ namespace palpate::app {
 
 namespace {
 
-/// For machines, in every language.
-const char* phaseKey(trace::Phase phase) {
-  constexpr std::array<const char*, trace::kPhases> kKeys = {"away", "search", "palpation"};
-  return kKeys[static_cast<std::size_t>(phase)];
-}
-
-using trace::Measured;
+// For machines, in every language; in the order of Phase and of Measured.
+constexpr std::array<const char*, trace::kPhases> kPhaseKeys = {"away", "search", "palpation"};
+constexpr std::array<const char*, trace::kMeasured> kMeasuredKeys = {"force_n", "depth_mm", "proxy_speed_mm_per_s",
+                                                                     "tip_speed_mm_per_s"};
 
 Json distributionJson(const trace::FixedHistogram& histogram) {
   Json json = {{"mean", histogram.mean()},         {"median", histogram.quantile(0.5)},
@@ -32,30 +29,21 @@ Json distributionJson(const trace::FixedHistogram& histogram) {
 }
 
 Json seriesJson(const RecordingReport& report, const trace::TickSeries& series) {
-  Json json = {{"from_s", report.secondsAt(series.firstTick())},
-               {"step_s", report.statistics.seconds(series.ticksPerBucket())}};
-  Json ticks = Json::array();
-  Json touching = Json::array();
-  for (const trace::SeriesBucket& bucket : series.buckets()) {
-    ticks.push_back(bucket.ticks);
-    touching.push_back(bucket.touching);
-  }
-  json["ticks"] = std::move(ticks);
-  json["touching_ticks"] = std::move(touching);
-  const std::array<const char*, trace::kMeasured> names = {"force_n", "depth_mm", "proxy_speed_mm_per_s",
-                                                           "tip_speed_mm_per_s"};
+  const std::vector<trace::SeriesBucket>& buckets = series.buckets();
+  Json json = {
+      {"from_s", report.secondsAt(series.firstTick())},
+      {"step_s", report.statistics.seconds(series.ticksPerBucket())},
+      {"ticks", listJson(buckets, [](const trace::SeriesBucket& bucket) { return bucket.ticks; })},
+      {"touching_ticks", listJson(buckets, [](const trace::SeriesBucket& bucket) { return bucket.touching; })}};
   for (std::size_t i = 0; i < trace::kMeasured; ++i) {
-    Json least = Json::array();
-    Json mean = Json::array();
-    Json greatest = Json::array();
-    for (const trace::SeriesBucket& bucket : series.buckets()) {
-      const trace::Extremes& value = bucket.values[i];
-      const bool known = value.count > 0;
-      least.push_back(known ? Json(value.least) : Json(nullptr));
-      mean.push_back(known ? Json(value.mean()) : Json(nullptr));
-      greatest.push_back(known ? Json(value.greatest) : Json(nullptr));
-    }
-    json[names[i]] = {{"least", std::move(least)}, {"mean", std::move(mean)}, {"greatest", std::move(greatest)}};
+    const auto course = [&](const auto& value_of) {
+      return listJson(buckets, [&](const trace::SeriesBucket& bucket) {
+        return bucket.values[i].count > 0 ? Json(value_of(bucket.values[i])) : Json(nullptr);
+      });
+    };
+    json[kMeasuredKeys[i]] = {{"least", course([](const trace::Extremes& value) { return value.least; })},
+                              {"mean", course([](const trace::Extremes& value) { return value.mean(); })},
+                              {"greatest", course([](const trace::Extremes& value) { return value.greatest; })}};
   }
   return json;
 }
@@ -84,13 +72,9 @@ Json fingerReportJson(const RecordingReport& report, std::size_t f) {
                {"contacts", finger.contacts},
                {"longest_contact_s", seconds(finger.longest_contact_ticks)},
                {"path_mm", finger.path_mm}};
-  json["force_n"] = distributionJson(finger.of(Measured::force));
-  json["depth_mm"] = distributionJson(finger.of(Measured::depth));
-  json["proxy_speed_mm_per_s"] = distributionJson(finger.of(Measured::proxy_speed));
-  json["tip_speed_mm_per_s"] = distributionJson(finger.of(Measured::tip_speed));
-  const std::array<const char*, trace::kPhases> names = {"away", "search", "palpation"};
+  for (std::size_t i = 0; i < trace::kMeasured; ++i) json[kMeasuredKeys[i]] = distributionJson(finger.in_contact[i]);
   for (std::size_t i = 0; i < trace::kPhases; ++i) {
-    json["phases"][names[i]] = {{"times", finger.phases[i]}, {"seconds", seconds(finger.phase_ticks[i])}};
+    json["phases"][kPhaseKeys[i]] = {{"times", finger.phases[i]}, {"seconds", seconds(finger.phase_ticks[i])}};
   }
   json["interventions"] = bitsJson(report, safetyLines(report), f);
   json["contact_status"] = bitsJson(report, contactLines(report), f);
@@ -99,32 +83,29 @@ Json fingerReportJson(const RecordingReport& report, std::size_t f) {
 }
 
 Json contactsJson(const RecordingReport& report) {
-  Json json = Json::array();
-  for (const trace::Contact& contact : report.statistics.contacts) {
-    json.push_back({{"finger", contact.finger},
-                    {"begin_s", report.secondsAt(contact.first_tick)},
-                    {"seconds", report.statistics.seconds(contact.ticks())},
-                    {"touching_ticks", contact.touching},
-                    {"peak_force_n", contact.peak_force_n},
-                    {"mean_force_n", contact.mean_force_n},
-                    {"peak_depth_mm", contact.peak_depth_mm},
-                    {"path_mm", contact.path_mm},
-                    {"peak_place_mm", vectorJson(contact.peak_place)}});
+  return listJson(report.statistics.contacts, [&](const trace::Contact& contact) {
+    Json json = {{"finger", contact.finger},
+                 {"begin_s", report.secondsAt(contact.first_tick)},
+                 {"seconds", report.statistics.seconds(contact.ticks())},
+                 {"touching_ticks", contact.touching},
+                 {"peak_force_n", contact.peak_force_n},
+                 {"mean_force_n", contact.mean_force_n},
+                 {"peak_depth_mm", contact.peak_depth_mm},
+                 {"path_mm", contact.path_mm},
+                 {"peak_place_mm", vectorJson(contact.peak_place)}};
     const std::string where = body::describePlace(report.body.landmarks, contact.peak_place);
-    if (!where.empty()) json.back()["peak_where"] = where;
-  }
-  return json;
+    if (!where.empty()) json["peak_where"] = where;
+    return json;
+  });
 }
 
 Json phasesJson(const RecordingReport& report) {
-  Json json = Json::array();
-  for (const trace::PhaseSpan& span : report.statistics.phases) {
-    json.push_back({{"finger", span.finger},
-                    {"phase", phaseKey(span.phase)},
-                    {"begin_s", report.secondsAt(span.first_tick)},
-                    {"seconds", report.statistics.seconds(span.ticks())}});
-  }
-  return json;
+  return listJson(report.statistics.phases, [&](const trace::PhaseSpan& span) {
+    return Json{{"finger", span.finger},
+                {"phase", kPhaseKeys[static_cast<std::size_t>(span.phase)]},
+                {"begin_s", report.secondsAt(span.first_tick)},
+                {"seconds", report.statistics.seconds(span.ticks())}};
+  });
 }
 
 Json ticksJson(const RecordingReport& report) {
@@ -165,30 +146,26 @@ Json reportJson(const RecordingReport& report) {
   json["ticks"] = ticksJson(report);
   json["unsafe_stiffness"] = report.unsafe;
   json["emergency_stops"] = emergencyStops(report);
-  Json fingers = Json::array();
-  for (std::size_t f = 0; f < statistics.fingers.size(); ++f) fingers.push_back(fingerReportJson(report, f));
-  json["fingers"] = std::move(fingers);
+  json["fingers"] = Json::array();
+  for (std::size_t f = 0; f < statistics.fingers.size(); ++f) json["fingers"].push_back(fingerReportJson(report, f));
   json["contact_count"] = statistics.contact_count;
   json["contacts"] = contactsJson(report);
   json["phase_count"] = statistics.phase_count;
   json["phases"] = phasesJson(report);
   json["coverage"] = coverageJson(report);
-  Json worlds = Json::array();
+  json["worlds"] = Json::array();
   for (std::size_t i = 0; i < statistics.worlds.size(); ++i) {
-    worlds.push_back({{"at_s", report.secondsAt(statistics.worlds[i].tick)},
-                      {"world", statistics.worlds[i].world},
-                      {"body", report.bodies[i]}});
+    json["worlds"].push_back({{"at_s", report.secondsAt(statistics.worlds[i].tick)},
+                              {"world", statistics.worlds[i].world},
+                              {"body", report.bodies[i]}});
   }
-  json["worlds"] = std::move(worlds);
   json["world_changes"] = statistics.world_changes;
-  Json events = Json::array();
-  for (const trace::RecordingEvent& event : report.events) {
-    events.push_back({{"at_s", report.secondsAt(event.tick)},
-                      {"finger", orNull(event.finger)},
-                      {"kind", event.kind},
-                      {"text", event.text}});
-  }
-  json["events"] = std::move(events);
+  json["events"] = listJson(report.events, [&](const trace::RecordingEvent& event) {
+    return Json{{"at_s", report.secondsAt(event.tick)},
+                {"finger", orNull(event.finger)},
+                {"kind", event.kind},
+                {"text", event.text}};
+  });
   json["rules"] = {{"speed_window_s", trace::kSpeedWindowS},
                    {"joined_gap_s", trace::kJoinedGapS},
                    {"path_step_mm", trace::kPathStepMm},
