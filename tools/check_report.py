@@ -14,6 +14,7 @@ import csv
 import json
 import math
 import re
+import statistics
 import sys
 import tomllib
 from pathlib import Path
@@ -235,23 +236,27 @@ def corrected(share, chance):
     return (share - chance) / (1 - chance) if chance < 1 else 0.0
 
 
-def levels(trials):
+def answers_of(trials):
+    """(place, correct, chance, expected) of those that count."""
+    return [(t["change"], t["correct"], 1 / max(t["sites_felt"], 1), 0.0) for t in trials if counts(t)]
+
+
+def shares(group):
+    n, right = len(group), sum(a[1] for a in group)
+    low, high = wilson(right, n)
+    chance = sum(a[2] for a in group) / n
+    return {"trials": n, "correct": right, "share": right / n, "low": low, "high": high, "chance": chance,
+            "corrected": corrected(right / n, chance)}
+
+
+def levels(answers):
     groups = {}
-    for trial in filter(counts, trials):
-        groups.setdefault(trial["change"], []).append(trial)
-    rows = []
-    for change in sorted(groups):
-        group = groups[change]
-        right = sum(t["correct"] for t in group)
-        share, chance = right / len(group), sum(1 / max(t["sites_felt"], 1) for t in group) / len(group)
-        low, high = wilson(right, len(group))
-        rows.append({"change": change, "trials": len(group), "correct": right, "share": share, "low": low,
-                     "high": high, "chance": chance, "corrected": corrected(share, chance)})
-    return rows
+    for answer in answers:
+        groups.setdefault(answer[0], []).append(answer)
+    return [{"change": change, **shares(groups[change])} for change in sorted(groups)]
 
 
 def boxes(answers, first=0.03, last=1 + 1e-9, count=10):
-    """Answers: (place, correct, chance, expected)."""
     width = math.log(last / first) / count
     groups = {}
     for answer in answers:
@@ -262,13 +267,9 @@ def boxes(answers, first=0.03, last=1 + 1e-9, count=10):
     for box in sorted(groups):
         group = groups[box]
         n = len(group)
-        right = sum(a[1] for a in group)
-        low, high = wilson(right, n)
-        chance = sum(a[2] for a in group) / n
         rows.append({"from": first * math.exp(width * box), "to": first * math.exp(width * (box + 1)),
-                     "middle": math.exp(sum(math.log(a[0]) for a in group) / n), "trials": n, "correct": right,
-                     "share": right / n, "low": low, "high": high, "chance": chance,
-                     "corrected": corrected(right / n, chance), "expected": sum(a[3] for a in group) / n})
+                     "middle": math.exp(sum(math.log(a[0]) for a in group) / n), **shares(group),
+                     "expected": sum(a[3] for a in group) / n})
     return rows
 
 
@@ -336,8 +337,7 @@ def trial_statistics(records, chosen):
     seconds = [t["seconds"] for t in asked]
     speed = [t["mean_speed_mm_per_s"] for t in touched]
     numbers.update({
-        "levels": levels(shown),
-        "boxes": boxes([(t["change"], t["correct"], 1 / max(t["sites_felt"], 1), 0.0) for t in counted]),
+        "levels": levels(answers_of(shown)), "boxes": boxes(answers_of(shown)),
         "sites": sites(records, chosen), "answers": answers, "wrong": wrong,
         "seconds": spread(seconds),
         "seconds_correct": spread([t["seconds"] for t in counted if t["correct"]]),
@@ -425,7 +425,7 @@ class Point:
     def fit(self):
         changes = [0.03 * (1 / 0.03) ** (i / 48) for i in range(49)]
         found = {"block": self.block["id"], "changes": changes, "mean": [], "low": [], "high": [],
-                 "answers": trial_boxes(self.chosen)}
+                 "answers": boxes(answers_of(t for t, _, _ in self.chosen))}
         guess = 1 / self.choices
         for change in changes:
             cells = []
@@ -439,10 +439,6 @@ class Point:
             found["low"].append(step_quantile(cells, 0.025))
             found["high"].append(step_quantile(cells, 0.975))
         return found
-
-
-def trial_boxes(chosen):
-    return boxes([(t["change"], t["correct"], 1 / max(t["sites_felt"], 1), 0.0) for t, _, _ in chosen if counts(t)])
 
 
 def step_quantile(cells, share):
@@ -551,7 +547,7 @@ def curves(points):
 # ---- groups
 
 
-def shares(mean, sd, grid):
+def cell_shares(mean, sd, grid):
     cell = grid[1] - grid[0]
     edges = [below((g - 0.5 * cell - mean) / sd) for g in grid] + [below((grid[-1] + 0.5 * cell - mean) / sd)]
     return [b - a for a, b in zip(edges, edges[1:])]
@@ -561,7 +557,7 @@ def fit_normal(grid, people):
     n = len(people)
     mean, sd, information = sum(grid[p.index(max(p))] for p in people) / n, 0.3, 0.0
     for _ in range(400):
-        of_group, each = shares(mean, sd, grid), []
+        of_group, each = cell_shares(mean, sd, grid), []
         for values in people:
             weights = [s * v for s, v in zip(of_group, values)]
             total = sum(weights)
@@ -762,18 +758,10 @@ def rate(answers):
     return {"part": part, "whole": whole, "share": part / whole if whole else 0.0, "low": low, "high": high}
 
 
-def quantile_of_normal(share):
-    low, high = -8.0, 8.0
-    for _ in range(80):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if below(middle) < share else (low, middle)
-    return 0.5 * (low + high)
-
-
 def d_prime_of(hits, alarms):
     def scaled(answers):
         share = (sum(answers) + 0.5) / (len(answers) + 1)
-        z = quantile_of_normal(share)
+        z = statistics.NormalDist().inv_cdf(share)
         density = math.exp(-0.5 * z * z) / math.sqrt(2 * math.pi)
         return z, share * (1 - share) / ((len(answers) + 1) * density ** 2)
     (hit, hit_variance), (alarm, alarm_variance) = scaled(hits), scaled(alarms)
