@@ -262,8 +262,7 @@ TrainingPicture curvePicture(const TraineeStatistics& trainee, const std::vector
   plot.y = shown.axis(tr("smallest reliable change"));
   const auto said = [&](const training::FilteredPoint& point) {
     const ThresholdPoint& block = trainee.points[point.point];
-    return fmt::format("{} {}", occasionName(block.kind, block.nth),
-                       formatThreshold(block.threshold->median, block.threshold->low, block.threshold->high));
+    return fmt::format("{} {}", occasionName(block.kind, block.nth), formatThreshold(*block.threshold));
   };
   return {"curve",
           tr("Lower is better. Markers: each block by itself. Line and blue band: the estimate from all blocks up to "
@@ -337,8 +336,7 @@ TrainingPicture fitPicture(const std::vector<const ThresholdPoint*>& blocks) {
     figure.panels.emplace_back(fitPlot(*point));
     addSentence(alternative,
                 trf("{}: T {}. Right answers {}.", occasionName(point->kind, point->nth),
-                    formatThreshold(point->threshold->median, point->threshold->low, point->threshold->high),
-                    formatAnswerBoxes(point->trials.boxes, 100.0, " %")));
+                    formatThreshold(*point->threshold), formatAnswerBoxes(point->trials.boxes, 100.0, " %")));
   }
   return {"fit",
           tr("How often answers are right at which change: the fitted function with its 95 % band, and the answers "

@@ -96,9 +96,9 @@ std::string resultSentence(const TraineeStatistics& trainee, bool found_lumps) {
                 static_cast<std::size_t>(latest->trials.counted), latest->trials.counted,
                 occasionName(latest->kind, latest->nth), formatDay(latest->start_ms));
   }
-  return trf("Smallest reliable change: about {} of {}, measured in the {} of {} with {} answers.",
-             formatThreshold(t.median, t.low, t.high), changeMeaningName(latest->meaning),
-             occasionName(latest->kind, latest->nth), formatDay(latest->start_ms), latest->trials.counted);
+  return trf("Smallest reliable change: about {} of {}, measured in the {} of {} with {} answers.", formatThreshold(t),
+             changeMeaningName(latest->meaning), occasionName(latest->kind, latest->nth), formatDay(latest->start_ms),
+             latest->trials.counted);
 }
 
 std::string comparisonSentence(const TraineeStatistics& trainee) {
@@ -329,12 +329,11 @@ std::string formatChange(double change) {
   return fmt::format("{:.{}f}{}%", WrittenNumber{100.0 * change}, change < 0.0995 ? 1 : 0, kNoBreak);
 }
 
-std::string formatThreshold(double median, double low, double high) {
-  if (!training::ThresholdSummary{.median = median, .low = low, .high = high}.isConclusive()) {
-    return tr(training::kMoreTrialsNeeded);
-  }
-  const std::string from = formatChange(low);
-  return trf("{} ({} to {})", formatChange(median), from.substr(0, from.find(kNoBreak)), formatChange(high));
+std::string formatThreshold(const training::ThresholdSummary& threshold) {
+  if (!threshold.isConclusive()) return tr(training::kMoreTrialsNeeded);
+  const std::string from = formatChange(threshold.low);
+  return trf("{} ({} to {})", formatChange(threshold.median), from.substr(0, from.find(kNoBreak)),
+             formatChange(threshold.high));
 }
 
 std::string formatDay(std::int64_t utc_ms) {

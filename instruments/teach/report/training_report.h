@@ -80,7 +80,7 @@ std::string shortPseudonym(const training::Uuid& id);
 /// 0.1834 -> "18 %", 0.0734 -> "7.3 %".
 std::string formatChange(double change);
 /// "18 % (13 to 25 %)".
-std::string formatThreshold(double median, double low, double high);
+std::string formatThreshold(const training::ThresholdSummary& threshold);
 /// 1763853600000 -> "2025-11-22".
 std::string formatDay(std::int64_t utc_ms);
 

@@ -73,7 +73,7 @@ std::string methodName(training::Method method) {
 }
 
 std::string formatResult(const ThresholdPoint& point) {
-  if (point.threshold) return formatThreshold(point.threshold->median, point.threshold->low, point.threshold->high);
+  if (point.threshold) return formatThreshold(*point.threshold);
   if (point.method == training::Method::mastery) {
     return point.level ? trf("level {}", formatChange(*point.level)) : tr("no level yet");
   }
@@ -174,9 +174,7 @@ std::string blocksTable(const TraineeStatistics& trainee) {
     });
     rows.push_back({occasionName(point.kind, point.nth), formatDay(point.start_ms), methodName(point.method),
                     trf("{} of {}", point.trials.correct, point.trials.counted), formatResult(point),
-                    filtered == trainee.curve.end()
-                        ? kNoValue
-                        : formatThreshold(filtered->filtered.median, filtered->filtered.low, filtered->filtered.high),
+                    filtered == trainee.curve.end() ? kNoValue : formatThreshold(filtered->filtered),
                     verdictName(point.verdict), formatDecimals(point.trials.places_felt.mean, 1),
                     formatDecimals(point.trials.seconds.median, 0), point.finished ? "" : tr("interrupted")});
   }
@@ -206,7 +204,9 @@ std::string occasionsTable(const training::ClassStatistics& all) {
   for (const training::Occasion& occasion : all.occasions) {
     const bool known = occasion.group.people >= 2;
     rows.push_back({occasionName(occasion.kind, occasion.nth), fmt::format("{}", occasion.medians.count),
-                    known ? formatThreshold(occasion.group.mean, occasion.group.low, occasion.group.high) : kNoValue,
+                    known ? formatThreshold(
+                                {.median = occasion.group.mean, .low = occasion.group.low, .high = occasion.group.high})
+                          : kNoValue,
                     known ? formatChange(occasion.group.sd) : kNoValue, formatChange(occasion.medians.lower_quartile),
                     formatChange(occasion.medians.median), formatChange(occasion.medians.upper_quartile),
                     formatReasonCounts(occasion.verdicts)});
