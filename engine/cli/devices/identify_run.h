@@ -1,5 +1,5 @@
-// `palpate devices --identify`: a device's mass, damping, friction and delay, measured on itself (device_profile.h),
-// and the lines of a scene file for them.
+// `palpate devices --identify`: a device's mass, damping, friction and delay, measured on itself
+// (device_identification.h), and the lines of a scene file for them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 #include "palpate/base/json.h"
 #include "palpate/base/progress.h"
-#include "palpate/device/device_profile.h"
+#include "palpate/device/device_identification.h"
 
 namespace palpate::app {
 
