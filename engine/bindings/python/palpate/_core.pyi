@@ -351,23 +351,27 @@ def _world_of(toml: str, mesh: Any, hash: str) -> World:
 def _native_rollout_seconds(world: World, tips: numpy.typing.ArrayLike) -> float:
     """Time in s of a C++ loop over the path (T, 3) of one finger, storing its outputs; for tools/bench-python."""
 class Fingers:
-    """A batch of fingers on one world; they keep their state between calls.
+    """A batch of fingers on one world, or shared among several; they keep their state between calls.
 
     One call at a time: a second, from another thread, raises RuntimeError. After a fork the child may use it, threads and all. `with` closes it.
     """
 
-    def __init__(self, world: World, n: int, *, settings: Optional[Union[FingerSettings, Sequence[FingerSettings]]] = None, threads: int = 1) -> None:
-        """n fingers; settings: None for the scene's, a FingerSettings for all, or a sequence of n; threads: share the work of a call above 5,000 ticks. Raises palpate.Error if the settings do not suit the world."""
-    def step(self, tips: numpy.typing.ArrayLike, *, substeps: int = 1, fields: Optional[Sequence[str]] = None, out: Optional[dict[str, numpy.typing.NDArray[Any]]] = None) -> dict[str, numpy.typing.NDArray[Any]]:
+    def __init__(self, world: Union[World, Sequence[World]], n: int, *, settings: Optional[Union[FingerSettings, Sequence[FingerSettings]]] = None, threads: int = 1) -> None:
+        """n fingers; world: one, or several, and all begin in the first; settings: None for the (first) scene's, a FingerSettings for all, or a sequence of n; threads: share the work of a call above 5,000 ticks. Raises palpate.Error if the settings do not suit a world."""
+    def step(self, tips: numpy.typing.ArrayLike, *, substeps: int = 1, fields: Optional[Sequence[str]] = None, out: Optional[dict[str, numpy.typing.NDArray[Any]]] = None, mask: Optional[numpy.typing.ArrayLike] = None) -> dict[str, numpy.typing.NDArray[Any]]:
         """Moves every finger to its tip (n, 3), mm, and returns its contact in the last tick.
 
         substeps: ticks that the way takes, in a straight line from where the finger was sent last: tick k is at from + (to - from) * (k / substeps)
         fields, out: as for World.rollout, arrays (n, ...)
+        mask: (n,) bool, those that move; the others' clocks stand still, and their rows of `out` stay as they are; None: all
 
         Arrays are fresh unless `out` is given. The interpreter's lock is released, Ctrl-C interrupts: some fingers have moved then. Raises RuntimeError while another call is at work, ValueError for shapes.
         """
-    def reset(self, mask: Optional[numpy.typing.ArrayLike] = None) -> None:
-        """Resets the fingers with True in mask (n,), or all for None. Raises RuntimeError, ValueError."""
+    def reset(self, mask: Optional[numpy.typing.ArrayLike] = None, worlds: Optional[numpy.typing.ArrayLike] = None) -> None:
+        """Resets the fingers with True in mask (n,), or all for None.
+
+        worlds: (n,) whole numbers of the worlds that they go to, as they were given, read for all but used where the mask is True; None: each stays in its world. Raises RuntimeError, ValueError.
+        """
     def lift(self, mask: Optional[numpy.typing.ArrayLike] = None) -> None:
         """Lifts the fingers with True in mask (n,), or all for None; their next tips may be anywhere. Raises RuntimeError, ValueError."""
     def touches(self) -> list[Touch]:
@@ -382,7 +386,10 @@ class Fingers:
         """Number of fingers."""
     @property
     def world(self) -> World:
-        """The world that they touch."""
+        """The world that they touch; the first of several."""
+    @property
+    def worlds(self) -> list[World]:
+        """List of the worlds that they touch."""
     @property
     def threads(self) -> int:
         """Number of threads that share the work of a call."""

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import palpate
-from conftest import landed, wander
+from conftest import dome, landed, wander
 
 SCENE = """
 seconds = 0.6
@@ -187,6 +187,47 @@ def test_lift_and_reset(dome_world):
     for wrong in ([True], np.zeros(3), "abc"):
         with pytest.raises(ValueError, match="mask"):
             fingers.reset(wrong)
+
+
+def test_fingers_are_shared_among_worlds(dome_world):
+    vertices, faces = dome()
+    hard = palpate.World.from_arrays(vertices, faces, stiffness=2.0)
+    shared, alone = palpate.Fingers([dome_world, hard], 3), [palpate.Fingers(world, 1) for world in (dome_world, hard)]
+    assert shared.world is dome_world and shared.worlds == [dome_world, hard]
+    shared.reset(np.array([False, True, True]), np.array([1, 1, 0]))
+    path = np.linspace([0, 0, 30.0], [8.0, 4.0, 14.0], 30)
+    for tip in path:
+        felt = shared.step(np.tile(tip, (3, 1)), substeps=2)
+        one, other = (fingers.step(tip[None], substeps=2) for fingers in alone)
+        for name in felt:
+            np.testing.assert_array_equal(felt[name], np.concatenate([one[name], other[name], one[name]]))
+    assert felt["force"][1, 2] > 3 * felt["force"][0, 2]
+    shared.reset()
+    assert (shared.step(np.tile(path[-1], (3, 1)))["state"] == 0).all(), "each begins again in the world that it is in"
+    for wrong in ([0, 1], [0.0, 1.0, 0.0], [0, 2, 0], [0, -1, 0], "abc"):
+        with pytest.raises(ValueError, match="worlds"):
+            shared.reset(None, wrong)
+    for wrong in (3, [dome_world, 3], "torso"):
+        with pytest.raises(TypeError, match="world"):
+            palpate.Fingers(wrong, 3)
+    with pytest.raises(ValueError, match="world"):
+        palpate.Fingers([], 3)
+
+
+def test_fingers_outside_the_mask_stand_still(dome_world):
+    some, all_of_them = palpate.Fingers(dome_world, 3), palpate.Fingers(dome_world, 3)
+    out = some.step([[0, 0, 30]] * 3)
+    all_of_them.step([[0, 0, 30]] * 3)
+    for _ in range(4):
+        some.step([[3, 0, 10]] * 3, substeps=50, out=out, mask=np.array([True, False, False]))
+    assert out["depth"].tolist()[1:] == [0, 0] and out["depth"][0] > 5
+    felt = some.step([[3, 0, 16]] * 3, substeps=50, out=out, mask=np.array([False, True, True]))
+    wanted = all_of_them.step([[3, 0, 16]] * 3, substeps=50)
+    for name in wanted:
+        np.testing.assert_array_equal(felt[name][1:], wanted[name][1:])
+    for options in ({"mask": np.ones(3, bool)}, {"mask": np.ones(2, bool), "out": out}, {"mask": np.ones(3), "out": out}):
+        with pytest.raises(ValueError, match="mask"):
+            some.step([[0, 0, 30]] * 3, **options)
 
 
 def test_a_touch_says_all_that_was_felt(dome_world):
