@@ -19,7 +19,7 @@ def _is_in_the_main_interpreter() -> bool:
 if not _is_in_the_main_interpreter():  # pybind11 would wait there for a lock that is never given
     raise ImportError("palpate works only in the main interpreter of a process, not in a sub-interpreter")
 
-from palpate._core import Error, Finger, Fingers, FingerSettings, Lump, Session, Skin, Touch, World, __version__, _world_of
+from palpate._core import Error, Finger, Fingers, FingerSettings, Lump, Session, Skin, Tools, Touch, World, __version__, _world_of
 
 TYPE_CHECKING = False  # typing itself takes two milliseconds to import
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from palpate import tissue as tissue
     from palpate import view as view
 
-__all__ = ["Error", "Finger", "FingerSettings", "Fingers", "Lump", "Session", "Skin", "Touch", "World", "__version__"]
+__all__ = ["Error", "Finger", "FingerSettings", "Fingers", "Lump", "Session", "Skin", "Tools", "Touch", "World", "__version__"]
 
 # Loaded when they are first asked for: `import palpate` is to cost nothing that is not used.
 _LAZY = ("devices", "env", "fit", "measure", "notebook", "sessions", "tissue", "view")

@@ -394,6 +394,41 @@ class Fingers:
     def threads(self) -> int:
         """Number of threads that share the work of a call."""
 
+class Tools:
+    """A batch of tools of several pads, rigid bodies with a pose each, on one world or shared among several; they keep their state between calls.
+
+    tool: "head", a linear ultrasound head of 60 x 12 mm, x along it; "palm", "fingertip", "knuckle" (docs/explanation/tools.md). In its frame the skin is below, z points away from it. Lumps that move stay at their places.
+
+    One call at a time, as Fingers. `with` closes it.
+    """
+
+    def __init__(self, world: Union[World, Sequence[World]], n: int, *, tool: str = 'head', settings: Optional[Union[FingerSettings, Sequence[FingerSettings]]] = None, threads: int = 1) -> None:
+        """n tools, all in the first world; settings: of every pad, whose radius is the tool's; None: the scene's. Raises palpate.Error for a world that breathes or has a detecting box, ValueError for an unknown tool."""
+    def step(self, positions: numpy.typing.ArrayLike, rotations: numpy.typing.ArrayLike, *, substeps: int = 1, out: Optional[dict[str, numpy.typing.NDArray[Any]]] = None, mask: Optional[numpy.typing.ArrayLike] = None) -> dict[str, numpy.typing.NDArray[Any]]:
+        """Moves every tool to its pose and returns its contact in the last tick: force (n, 3), N; moment (n, 3), N mm, about its position; depth (n,), mm, of its deepest pad; touching (n,) int32, pads on the skin.
+
+        positions: (n, 3), mm, of its frame; rotations: (n, 3, 3), from its frame to the body's, columns its x, y and z
+        substeps: ticks that the way takes, in a straight line and about one axis
+        out, mask: as for Fingers.step
+
+        The interpreter's lock is released, Ctrl-C interrupts. Raises RuntimeError during another call, ValueError for shapes and what is no rotation.
+        """
+    def reset(self, mask: Optional[numpy.typing.ArrayLike] = None, worlds: Optional[numpy.typing.ArrayLike] = None) -> None:
+        """Lifts the tools with True in mask (n,), or all for None; their next poses may be anywhere. worlds: as for Fingers.reset. Raises RuntimeError, ValueError."""
+    def touches(self) -> list[Touch]:
+        """List of a Touch for each pad of each tool in the last ticks. Raises RuntimeError during another call."""
+    def close(self) -> None:
+        """Ends its threads. Later calls raise ValueError; closing again has no effect."""
+    def __enter__(self) -> Tools:
+        """Returns itself."""
+    def __exit__(self, *args: Any) -> None:
+        """Calls close()."""
+    def __len__(self) -> int:
+        """Number of tools."""
+    @property
+    def pads(self) -> int:
+        """Number of pads of a tool."""
+
 class Skin:
     """The skin of a world, deformed by fingers.
 

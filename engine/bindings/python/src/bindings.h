@@ -14,6 +14,7 @@ void bindLumps(pybind11::module_& module);     // Lump, World(lumps=...), World.
 void bindPickle(pybind11::module_& module);    // World, FingerSettings, Lump: pickled and copied
 void bindPressure(pybind11::module_& module);  // World.pressure
 void bindFingers(pybind11::module_& module);   // Fingers
+void bindTools(pybind11::module_& module);     // Tools
 void bindSkin(pybind11::module_& module);      // Skin
 void bindSessions(pybind11::module_& module);  // recordings: read, replay, iterate
 void bindTissue(pybind11::module_& module);    // force laws and layered tissue

@@ -73,22 +73,6 @@ std::vector<std::string> requestedNames(const scene::World& world, const py::obj
   return names;
 }
 
-template <class Number>
-py::array_t<Number> wholeArray(const py::object& given, const std::string& name,
-                               const std::vector<py::ssize_t>& shape) {
-  if (given.is_none()) return py::array_t<Number>(shape);
-  const bool is_array = py::isinstance<py::array_t<Number, py::array::c_style>>(given);
-  const auto array = is_array ? py::reinterpret_borrow<py::array_t<Number>>(given) : py::array_t<Number>();
-  const bool fits = is_array && array.writeable() && static_cast<std::size_t>(array.ndim()) == shape.size() &&
-                    std::equal(shape.begin(), shape.end(), array.shape());
-  if (fits) return array;
-  std::string wanted;
-  for (const py::ssize_t length : shape) wanted += fmt::format("{}{}", wanted.empty() ? "" : ", ", length);
-  throw py::value_error(fmt::format("out: '{}' must be a writable array in C order, {} of shape ({}{})", name,
-                                    py::str(py::dtype::of<Number>()).cast<std::string>(), wanted,
-                                    shape.size() == 1 ? "," : ""));
-}
-
 }  // namespace
 
 FeltArrays::FeltArrays(const scene::World& world, std::vector<py::ssize_t> leading, const py::object& fields,

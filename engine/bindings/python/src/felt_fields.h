@@ -3,6 +3,9 @@
 //   names or arrays of the caller ─ FeltArrays ─► rows ─ write (no lock, no Python) ─► arrays ─► dict
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -66,6 +69,24 @@ struct FeltRows {
     for (int axis = 0; axis < 3; ++axis) to[3 * row + static_cast<std::size_t>(axis)] = value[axis];
   }
 };
+
+/// A fresh array for None, or the caller's, which is written and never converted: results in a copy would be lost.
+/// Throws ValueError naming it.
+template <class Number>
+py::array_t<Number> wholeArray(const py::object& given, const std::string& name,
+                               const std::vector<py::ssize_t>& shape) {
+  if (given.is_none()) return py::array_t<Number>(shape);
+  const bool is_array = py::isinstance<py::array_t<Number, py::array::c_style>>(given);
+  const auto array = is_array ? py::reinterpret_borrow<py::array_t<Number>>(given) : py::array_t<Number>();
+  const bool fits = is_array && array.writeable() && static_cast<std::size_t>(array.ndim()) == shape.size() &&
+                    std::equal(shape.begin(), shape.end(), array.shape());
+  if (fits) return array;
+  std::string wanted;
+  for (const py::ssize_t length : shape) wanted += fmt::format("{}{}", wanted.empty() ? "" : ", ", length);
+  throw py::value_error(fmt::format("out: '{}' must be a writable array in C order, {} of shape ({}{})", name,
+                                    py::str(py::dtype::of<Number>()).cast<std::string>(), wanted,
+                                    shape.size() == 1 ? "," : ""));
+}
 
 /// The arrays of one call.
 class FeltArrays {

@@ -19,6 +19,7 @@ PYBIND11_MODULE(_core, module) {
   bindRollout(module);
   bindPressure(module);
   bindFingers(module);
+  bindTools(module);
   bindSkin(module);
   bindSessions(module);
   bindTissue(module);
