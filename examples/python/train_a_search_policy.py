@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import palpate
-from palpate.env import VectorEnv
+from palpate.gym import VectorEnv
 
 Numbers = NDArray[np.float64]
 NAMES = ["depth (mm)", "speed", "turn when it gets softer (rad)", "memory", "wander (rad)"]
@@ -26,7 +26,7 @@ def searched_back(place: str, num_envs: int) -> VectorEnv:
         edge_softness = 1
         """)
     middle = world.place(place) + [18.0, -22.0, 0.0]  # the search does not begin where the stiff place is
-    return VectorEnv(world, num_envs, around=middle, reach_mm=45.0, max_steps=150)
+    return VectorEnv(num_envs, bodies=world, around=middle, reach_mm=45.0, max_episode_steps=150)
 
 
 # %% Five numbers a finger: press, go on while it gets stiffer, turn when it gets softer. No finger knows where it is.
@@ -37,14 +37,14 @@ def share_found(env: VectorEnv, policy: Numbers, seed: int) -> Numbers:
     heading, before = random.uniform(0.0, 2 * np.pi, env.num_envs), np.zeros(env.num_envs)
     felt, _ = env.reset(seed=seed)
     score = np.zeros(env.num_envs)
-    for step in range(env.max_steps):
+    for step in range(env.options.max_episode_steps):
         touched = felt[:, 6] > 0.2
         stiff = np.where(touched, np.linalg.norm(felt[:, 3:6], axis=1) / np.maximum(felt[:, 6], 0.2), before)
         heading += np.where(stiff < before, turn, 0.0) + wander * random.standard_normal(env.num_envs)
         before = memory * before + (1 - memory) * stiff
         way = [speed * np.cos(heading), speed * np.sin(heading), np.clip(felt[:, 6] - depth_mm, -1.0, 1.0)]
         felt, _, found, _, _ = env.step(np.stack(way, axis=1))
-        score[found & (score == 0.0)] = 1.0 + 0.2 * (1 - step / env.max_steps)
+        score[found & (score == 0.0)] = 1.0 + 0.2 * (1 - step / env.options.max_episode_steps)
     return score
 
 
@@ -66,7 +66,7 @@ blind = mean.copy()
 blind[2] = 0.0
 trained, chance = (100 * (share_found(test, np.tile(policy, (1000, 1)), 99) > 0).mean() for policy in (mean, blind))
 print(", ".join(f"{name} {value:.2f}" for name, value in zip(NAMES, mean)))
-print(f"found in {test.max_steps} steps: chance {chance:.0f} %, trained {trained:.0f} %")
+print(f"found in {test.options.max_episode_steps} steps: chance {chance:.0f} %, trained {trained:.0f} %")
 plt.plot(curve, label="while learning")
 plt.axhline(trained, color="k", ls="--", label="trained, on another back")
 plt.axhline(chance, color="r", ls=":", label="moving without minding the force")

@@ -39,15 +39,17 @@ class Build(build_py):
     """Copies what CMake has staged: Python files, stubs and modules."""
 
     def run(self) -> None:
-        to = pathlib.Path(self.build_lib) / "palpate"
-        to.mkdir(parents=True, exist_ok=True)
-        files = [file for file in (staged() / "palpate").iterdir() if file.suffix in (".py", ".pyi", ".so", ".typed")]
+        package = staged() / "palpate"
+        files = [file for folder in (package, package / "gym") for file in folder.iterdir()
+                 if file.suffix in (".py", ".pyi", ".so", ".typed")]
         if not any(file.name.startswith("_core.") and file.suffix == ".so" for file in files):
             raise SystemExit("no module was built: pybind11 or Python's headers are missing (python3-dev, pybind11-dev)")
         for file in files:
-            shutil.copy2(file, to / file.name)
+            to = pathlib.Path(self.build_lib) / "palpate" / file.relative_to(package)
+            to.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(file, to)
             if file.suffix == ".so" and shutil.which("strip"):
-                subprocess.run(["strip", "--strip-unneeded", str(to / file.name)], check=True)
+                subprocess.run(["strip", "--strip-unneeded", str(to)], check=True)
 
 
 class Compiled(Distribution):
@@ -58,4 +60,4 @@ class Compiled(Distribution):
 
 
 VERSION = re.search(r"project\(palpate VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text())[1]
-setup(version=VERSION, packages=["palpate"], package_dir={"palpate": os.path.relpath(SOURCE / "engine/bindings/python/palpate", HERE)}, cmdclass={"build_py": Build}, distclass=Compiled)
+setup(version=VERSION, packages=["palpate", "palpate.gym"], package_dir={"palpate": os.path.relpath(SOURCE / "engine/bindings/python/palpate", HERE)}, cmdclass={"build_py": Build}, distclass=Compiled)

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from palpate import devices as devices
     from palpate import env as env
     from palpate import fit as fit
+    from palpate import gym as gym
     from palpate import measure as measure
     from palpate import notebook as notebook
     from palpate import sessions as sessions
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
 __all__ = ["Error", "Finger", "FingerSettings", "Fingers", "Lump", "Session", "Skin", "Tools", "Touch", "World", "__version__"]
 
 # Loaded when they are first asked for: `import palpate` is to cost nothing that is not used.
-_LAZY = ("devices", "env", "fit", "measure", "notebook", "sessions", "tissue", "view")
+_LAZY = ("devices", "env", "fit", "gym", "measure", "notebook", "sessions", "tissue", "view")
 
 
 def _unpickled_world(toml: str, mesh: Any, hash: str) -> World:

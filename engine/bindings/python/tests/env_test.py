@@ -1,4 +1,4 @@
-"""palpate.env: the shape of gymnasium's vector environments, episodes that begin anew, and an agent that finds."""
+"""palpate.env, the old name of palpate.gym: its words still do what they did."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import palpate
-from conftest import dome
+from conftest import dome, run
 
 
 @pytest.fixture(scope="module")
@@ -21,6 +21,11 @@ def make(world: palpate.World, n: int = 16, **options) -> palpate.env.VectorEnv:
     return palpate.env.VectorEnv(world, n, around=[0.0, 0.0, 20.0], **options)
 
 
+def test_it_says_that_it_is_deprecated():
+    text = "import warnings; warnings.simplefilter('error'); import palpate.gym; import palpate.env"
+    assert "palpate.env is deprecated: use palpate.gym" in run("-c", text).stderr
+
+
 def test_the_shape_of_gymnasium(hidden):
     env = make(hidden, 5)
     observations, infos = env.reset(seed=3)
@@ -32,7 +37,7 @@ def test_the_shape_of_gymnasium(hidden):
     observations, rewards, terminated, truncated, infos = env.step(action)
     assert rewards.shape == terminated.shape == truncated.shape == infos["state"].shape == (5,)
     assert terminated.dtype == truncated.dtype == bool
-    assert env.single_action_space.shape == (3,) and env.metadata["autoreset_mode"] == "next_step"
+    assert env.single_action_space.shape == (3,) and env.metadata["autoreset_mode"] == palpate.gym.AutoresetMode.NEXT_STEP
     env.close()
 
 
@@ -67,12 +72,12 @@ def test_an_episode_begins_anew_in_the_next_step(hidden):
 def test_only_those_that_ended_begin_anew(hidden):
     env = make(hidden, 3, max_steps=50)
     env.reset(seed=1)
-    env._tips[0] = env.task.goal + [0, 0, 1.0]  # one is brought to the goal
+    env.hands.tips[0] = env.task.goal + [0, 0, 1.0]  # one is brought to the goal
     _, rewards, terminated, _, _ = env.step(np.tile([0.0, 0.0, -1.0], (3, 1)))
     assert terminated.tolist() == [True, False, False] and rewards[0] > 1.0
-    before = env._tips.copy()
+    before = env.hands.tips.copy()
     env.step(np.zeros((3, 3)))
-    assert (env._tips[1:] == before[1:]).all() and not (env._tips[0] == before[0]).all()
+    assert (env.hands.tips[1:] == before[1:]).all() and not (env.hands.tips[0] == before[0]).all()
 
 
 def test_who_climbs_finds(hidden):

@@ -35,7 +35,7 @@ force: float = float(touch.force[2]) + touch.depth_mm
 felt = world.rollout(np.zeros((1, 9, 3)), settings=[finger.settings], fields=("force",), threads=2)
 skin = palpate.Skin(world, strain=False)
 skin.apply([touch])
-env = palpate.env.VectorEnv(world, 8, around="T6")
+env = palpate.gym.VectorEnv(8, bodies=world, around="T6")
 observations, infos = env.reset(seed=1)
 try:
     palpate.World.load("back.toml")
@@ -91,8 +91,8 @@ def test_a_wheel_holds_everything(tmp_path):
     assert result.returncode == 0, result.stderr
     (wheel,) = tmp_path.glob("*.whl")
     names = set(zipfile.ZipFile(wheel).namelist())
-    staged = {f"palpate/{file.name}" for file in (STAGE / "palpate").iterdir() if file.suffix in (".py", ".pyi", ".so", ".typed")}
-    assert {f"palpate/{name}" for name in ("__init__.py", "env.py", "py.typed", "_core.pyi")} <= staged
+    staged = {str(file.relative_to(STAGE)) for file in (STAGE / "palpate").rglob("*") if file.suffix in (".py", ".pyi", ".so", ".typed")}
+    assert {f"palpate/{name}" for name in ("__init__.py", "gym/__init__.py", "py.typed", "_core.pyi")} <= staged
     assert staged <= names, staged - names
     assert "none-any" not in wheel.name, "it holds compiled code"
     run("-m", "zipfile", "-e", str(wheel), str(tmp_path / "unpacked"), check=True)
