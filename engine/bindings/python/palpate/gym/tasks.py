@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any, Optional
 import numpy as np
 
 from palpate._core import World
-from palpate.gym.bodies import Bodies, Floats, Region, Whole
+from palpate.gym.bodies import Bodies, Floats, Range, Region, Whole
 from palpate.gym.hands import Flags, Hands, Moves
-from palpate.gym.observing import Block
+from palpate.gym.observing import Block, Singles
 
 if TYPE_CHECKING:
     from palpate.gym.vector import Options, VectorEnv
 
-__all__ = ["TASKS", "FindStiffest", "Task", "make_task"]
+__all__ = ["TASKS", "FindStiffest", "FollowForce", "Task", "make_task"]
 
 Judgement = tuple[Floats, Flags, dict[str, Any]]
 
@@ -109,7 +109,80 @@ class FindStiffest(Task):
         return rewards, found, {"success": found.copy(), "error_mm": error}
 
 
-TASKS: dict[str, type[Task]] = {task.__name__: task for task in (FindStiffest,)}
+class FollowForce(Task):
+    """Press with a force that changes, while going along a line of length_mm over the skin: six forces an episode, drawn
+    from force_n evenly by their logarithm.
+
+    A step pays 1 less the force's relative error and less a tenth of the way to the line's point, mm, but not below 0; an
+    episode ends where the force is over limit_n. Success, known with the last step: force within 10 % and place within 5
+    mm in four of five steps, of which the first fifth of each force is not counted.
+    """
+
+    LEVELS = 6
+    draws = LEVELS + 1
+    observe = ("tip", "force", "depth", "goal")
+
+    def __init__(self, force_n: Range = (0.5, 4.0), length_mm: float = 30.0, limit_n: float = 15.0) -> None:
+        """Raises ValueError for forces that are not above 0, or not below the limit."""
+        if not 0 < force_n[0] <= force_n[1] < limit_n or not length_mm >= 0:
+            raise ValueError("force_n: must be above 0 and below limit_n, and length_mm at least 0")
+        self.force_n, self.length_mm, self.limit_n = force_n, length_mm, limit_n
+
+    def blocks(self) -> dict[str, Block]:
+        """goal: the force, N, and the way to the line's point over reach_mm (3)."""
+        return {"goal": Block(4, -np.inf, np.inf, self._write_goal)}
+
+    def _write_goal(self, env: VectorEnv, out: Singles) -> None:
+        out[:, 0] = self._level
+        out[:, 1:] = (self._point - env.seen["tips"][:, 0]) / env.region.reach_mm
+
+    def attach(self, env: VectorEnv) -> None:
+        """Makes room."""
+        super().attach(env)
+        n = env.num_envs
+        self._levels: Floats = np.ones((n, self.LEVELS))
+        self._level: Floats = np.ones(n)
+        self._start, self._way, self._normal, self._point = np.zeros((4, n, 3))
+        self._right, self._counted = np.zeros((2, n), np.int64)
+
+    def begin(self, which: Whole, draws: Floats) -> None:
+        """Draws the forces and the line, which begins under the finger and turns back at the region's border."""
+        env, (low, high) = self.env, self.force_n
+        bodies = env.body[which]
+        self._levels[which] = low * (high / low) ** draws[:, :self.LEVELS]
+        angle = 2 * np.pi * draws[:, self.LEVELS]
+        start = env.region.coordinates(bodies, env.hands.tips[which, 0])
+        way = self.length_mm / env.region.reach_mm * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+        end = np.where(np.abs(start + way) > 0.9, start - way, start + way)
+        ends = [env.region.at(bodies, place)[0] for place in (start, end)]
+        self._start[which], self._way[which] = ends[0], ends[1] - ends[0]
+        self._normal[which] = env.region.normal[bodies]
+        self._level[which], self._point[which] = self._levels[which, 0], ends[0]
+        self._right[which] = self._counted[which] = 0
+
+    def judge(self) -> Judgement:
+        """infos: success, error_n of the force, away_mm from the line's point."""
+        env = self.env
+        felt, share = env.felt, env.steps / env.options.max_episode_steps
+        at = np.minimum(share * self.LEVELS, self.LEVELS - 1e-9)
+        number = at.astype(np.int64)
+        self._level = np.take_along_axis(self._levels, number[:, None], axis=1)[:, 0]
+        self._point = self._start + self._way * share[:, None]
+        pressing = np.einsum("ij,ij->i", felt["force"][:, 0], felt["normal"][:, 0])
+        error = np.abs(pressing - self._level)
+        away = env.hands.tips[:, 0] - self._point
+        away -= np.einsum("ij,ij->i", away, self._normal)[:, None] * self._normal
+        away_mm = np.sqrt(np.einsum("ij,ij->i", away, away))
+        settled = at - number > 0.2
+        self._counted += settled
+        self._right += settled & (error <= 0.1 * self._level) & (away_mm <= 5.0)
+        over = pressing > self.limit_n
+        rewards = np.maximum(1.0 - error / self._level - 0.1 * away_mm, 0.0)
+        success = (env.steps >= env.options.max_episode_steps) & ~over & (self._right >= 0.8 * self._counted)
+        return rewards, over, {"success": success, "error_n": error, "away_mm": away_mm}
+
+
+TASKS: dict[str, type[Task]] = {task.__name__: task for task in (FindStiffest, FollowForce)}
 
 
 def make_task(task: Any, options: Optional[dict[str, Any]] = None) -> Task:
