@@ -7,9 +7,10 @@ import pytest
 
 import palpate
 from conftest import dome
-from palpate.gym import VectorEnv
+from palpate.gym import Bodies, Region, VectorEnv
 
 PLACE = [0.0, 0.0, 20.0]
+SEARCH = {"around": "T9 right 30 mm", "reach_mm": 40.0}
 
 
 @pytest.fixture(scope="module")
@@ -17,6 +18,16 @@ def soft() -> palpate.World:
     """A dome with one stiffness, 0.4 N/mm."""
     vertices, faces = dome(40)
     return palpate.World.from_arrays(vertices, faces, stiffness=0.4)
+
+
+@pytest.fixture(scope="module")
+def region(torso) -> Region:
+    return Region([torso], SEARCH["around"], SEARCH["reach_mm"])
+
+
+@pytest.fixture(scope="module")
+def stiff(torso, region) -> Bodies:
+    return Bodies.with_stiff_places(torso, region, pool=6, seed=3)
 
 
 def followed(env: VectorEnv, gain: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -74,3 +85,148 @@ def test_follow_force_ends_where_it_hurts(soft):
     for wrong in ({"force_n": (0, 1)}, {"force_n": (2, 1)}, {"limit_n": 3.0}, {"length_mm": -1}):
         with pytest.raises(ValueError, match="force_n"):
             VectorEnv(2, task="FollowForce", bodies=soft, around=PLACE, **wrong)
+
+
+def grid(cells: int) -> np.ndarray:
+    axis = np.linspace(-0.9, 0.9, cells)
+    return np.stack(np.meshgrid(axis, axis), axis=-1).reshape(-1, 2)
+
+
+def pressed(env: VectorEnv, places: np.ndarray) -> np.ndarray:
+    """Readings (places, n, 2) of each environment, force and reference."""
+    env.reset(seed=1)
+    readings = []
+    for place in places:
+        action = np.zeros((env.num_envs, env.single_action_space.shape[0]))
+        action[:, :2] = place
+        if env.task.answers == 1:
+            action[:, 2] = -1.0
+        readings.append(env.step(action)[0][:, -2:])
+    return np.array(readings)
+
+
+def test_find_lump_who_compares_with_the_model_finds(stiff):
+    env = VectorEnv(12, task="FindLump", bodies=stiff, max_episode_steps=400, **SEARCH)
+    places = grid(17)
+    readings = pressed(env, places)
+    ratio = readings[..., 0] / readings[..., 1] - 1
+    assert np.abs(np.median(ratio)) < 0.01 and (ratio.max(axis=0) > 0.2).all()
+    believed = places[ratio.argmax(axis=0)]
+    action = np.concatenate([believed, believed, np.ones((12, 1))], axis=1)
+    unsure = env.step(action * [1, 1, 1, 1, 0.4])
+    assert not unsure[2].any() and not unsure[4]["success"].any() and np.allclose(unsure[1], -0.01)
+    _, rewards, terminated, _, infos = env.step(action)
+    assert terminated.all()
+    np.testing.assert_array_equal(infos["success"], infos["error_mm"] <= 5.0)
+    np.testing.assert_allclose(rewards, np.where(infos["success"], 0.99, -1.01))
+    assert infos["success"].mean() > 0.5 and (infos["error_mm"] < 9.0).all()
+    _, rewards, terminated, _, infos = env.step(action)
+    assert not rewards.any() and not terminated.any() and not infos["_success"].any(), "the next episode has begun"
+    for away_mm in (4.9, 5.1):
+        action[:, 2:4] = env.region.coordinates(env.body, env.bodies.hidden[env.body, 0]) + [away_mm / 40.0, 0.0]
+        _, rewards, terminated, _, infos = env.step(action)
+        np.testing.assert_allclose(infos["error_mm"], away_mm, atol=1e-9)
+        np.testing.assert_allclose(rewards, 0.99 if away_mm < 5 else -1.01)
+        env.step(action)
+
+
+def test_a_press_is_that_of_a_finger_in_that_body_and_its_reference(torso, stiff):
+    for reference in ("model", "other_side", "none"):
+        env = VectorEnv(5, task="FindLump", bodies=stiff, reference=reference, **SEARCH)
+        env.reset(seed=2)
+        places = np.random.default_rng(3).uniform(-0.8, 0.8, (5, 2))
+        for place in (-places, places):  # the second begins over the skin again
+            observed, *_ = env.step(np.concatenate([place, np.zeros((5, 3))], axis=1))
+        tip = palpate.FingerSettings(radius_mm=8)
+        for number in range(5):
+            world = stiff.worlds[env.body[number]]
+            beside = {"model": stiff.all[-1], "other_side": world, "none": None}[reference]
+            region = env.region.mirrored() if reference == "other_side" else env.region
+            for body, where, column in ((world, env.region, 2), (beside, region, 3)):
+                if body is None:
+                    assert observed[number, column] == 0
+                    continue
+                (point,), (normal,) = where.at(np.array([env.body[number]]), places[number:number + 1])
+                path = [point + 10 * normal] + [point + (10 - 8 * k / 50) * normal for k in range(1, 51)]
+                force = body.rollout(np.array(path)[None], settings=tip, fields=["force"])["force"][0, -1] @ normal
+                np.testing.assert_allclose(observed[number, column], force, rtol=1e-6)
+
+
+def test_a_press_does_not_remember_the_last_one(soft):
+    """Skin that relaxes has had the time to come back."""
+    env = VectorEnv(1, task="FindLump", bodies=soft, around=PLACE, reference="none",
+                    settings=palpate.FingerSettings(radius_mm=8, relaxation_share=0.5, relaxation_time_s=0.05))
+    env.reset(seed=1)
+    first, second = (env.step([[0.5, 0.1, 0, 0, 0]])[0] for _ in range(2))
+    np.testing.assert_array_equal(first, second)
+    assert first[0, 2] > 0.5
+
+
+def test_pressures_of_a_press_on_a_body_that_breathes_are_of_its_last_tick():
+    world = palpate.World.parse('''
+        body = { kind = "trunk", triangles = 20000 }
+        breathing = { on = true }
+        lump = [{ at = "T9 right 30 mm", depth_mm = 5, diameter_mm = 12, stiffness_ratio = 20 }]
+        ''')  # where it lies under the finger depends on the breath
+    env = VectorEnv(2, bodies=world, task="FindLump", reference="none", observe=("pressure4",))
+    env.reset(seed=1)
+    for _ in range(30):
+        observed = env.step(np.tile([0.1, 0.1, 0, 0, 0], (2, 1)))[0]
+    kpa = [world.pressure(touch, 4, 16.0, tick=51 * 30 - 1).ravel() for touch in env.hands.fingers.touches()]
+    np.testing.assert_array_equal(observed, np.array(kpa, np.float32))
+    assert observed.max() > 1.0
+
+
+def test_noise_and_bodies_without_anything(torso, region):
+    bodies = Bodies.with_stiff_places(torso, region, pool=8, count=(0, 2), seed=1)
+    assert set(bodies.counts) == {0, 1, 2}
+    env = VectorEnv(40, task="FindLump", bodies=bodies, force_noise=0.03, place_noise_mm=1.0, **SEARCH)
+    env.reset(seed=1)
+    readings = np.array([env.step(np.zeros((40, 5)))[0] for _ in range(50)])
+    np.testing.assert_allclose((readings[..., 2] / readings[..., 2].mean(axis=0)).std(), 0.03, rtol=0.1)
+    assert not np.ptp(readings[..., 3], axis=0).any(), "a model has no noise"
+    np.testing.assert_allclose(readings[..., :2].std(), 1.0 / 40.0, rtol=0.1)
+    empty = bodies.counts[env.body] == 0
+    _, rewards, terminated, _, infos = env.step(np.tile([0, 0, 0, 0, -1.0], (40, 1)))
+    assert terminated.all() and (infos["success"] == empty).all() and np.isinf(infos["error_mm"][empty]).all()
+    np.testing.assert_allclose(rewards, np.where(empty, 0.99, -1.01))
+
+
+def test_bodies_of_a_pool_do_not_depend_on_its_size(torso, region):
+    few, many = (Bodies.with_stiff_places(torso, region, pool=pool, count=(1, 3), seed=4) for pool in (3, 7))
+    np.testing.assert_array_equal(few.hidden[:3, :2], many.hidden[:3, :2])
+    places = many.hidden[many.counts == 3]
+    apart = [np.linalg.norm(one[i] - one[j]) for one in places for i in range(3) for j in range(i)]
+    assert len(places) and min(apart) > 30.0 and np.abs(region.coordinates(np.zeros(len(places), int), places)).max() <= 0.91
+    for number in range(3):
+        np.testing.assert_array_equal(few.worlds[number].stiffness, many.worlds[number].stiffness)
+    with pytest.raises(ValueError, match="no room"):
+        Bodies.with_stiff_places(torso, region, pool=1, count=(30, 30))
+
+
+def test_lumps_of_layered_tissue_are_hidden_too(torso, region):
+    bodies = Bodies.with_lumps(torso, region, pool=2, count=(1, 2), seed=1)
+    for world, hidden, count in zip(bodies.worlds, bodies.hidden, bodies.counts):
+        assert len(world.lumps) == count
+        for lump, place in zip(world.lumps, hidden):
+            np.testing.assert_allclose(lump["foot"], place, atol=0.5)
+    env = VectorEnv(2, task="FindLump", bodies=bodies, **SEARCH)
+    env.reset(seed=1)
+    at = env.region.coordinates(env.body, bodies.hidden[env.body, :1])[:, 0]
+    observed = env.step(np.concatenate([at, np.zeros((2, 3))], axis=1))[0]
+    assert (observed[:, 2] > 1.03 * observed[:, 3]).all()
+
+
+def test_what_cannot_be_searched_is_refused(torso, region, soft):
+    with pytest.raises(ValueError, match="reference"):
+        VectorEnv(2, task="FindLump", bodies=torso, reference="healthy")
+    with pytest.raises(ValueError, match="healthy ones"):
+        VectorEnv(2, task="FindLump", bodies=torso)
+    assert VectorEnv(2, task="FindLump", bodies=torso, reference="none")
+    with pytest.raises(ValueError, match="goal_mm"):
+        VectorEnv(2, task="FindLump", bodies=torso, goal_mm=0)
+    with pytest.raises(ValueError, match="count"):
+        VectorEnv(2, task="FindLump", count=(3, 1))
+    side = Region([palpate.World.from_arrays([[0, -1, -1], [0, 1, -1], [0, 0, 1]], [[0, 1, 2]], repair=False)], [0, 0, 0], 1.0)
+    with pytest.raises(ValueError, match="face z"):
+        Bodies.with_stiff_places(torso, side, pool=1)

@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
-from palpate._core import World
+from palpate._core import FingerSettings, World
 from palpate.gym.bodies import Bodies, Floats, Range, Region, Whole
-from palpate.gym.hands import Flags, Hands, Moves
+from palpate.gym.hands import Flags, Hands, Moves, Presses
 from palpate.gym.observing import Block, Singles
 
 if TYPE_CHECKING:
     from palpate.gym.vector import Options, VectorEnv
 
-__all__ = ["TASKS", "FindStiffest", "FollowForce", "Task", "make_task"]
+__all__ = ["TASKS", "FindLump", "FindStiffest", "FollowForce", "Search", "Task", "make_task"]
 
 Judgement = tuple[Floats, Flags, dict[str, Any]]
 
@@ -182,7 +182,71 @@ class FollowForce(Task):
         return rewards, over, {"success": success, "error_n": error, "away_mm": away_mm}
 
 
-TASKS: dict[str, type[Task]] = {task.__name__: task for task in (FindStiffest, FollowForce)}
+class Search(Task):
+    """What searches for hidden places have in common: a step is a press of a fingertip, which costs `cost`.
+
+    A body is drawn from `pool` torsos with round places that are change_percent stiffer, radius_mm wide, `count` of them
+    (least, most), drawn by bodies_seed; an environment that is given bodies takes those. reference: what each press is
+    held against: "model", the healthy body's force there; "other_side", that of the place across; "none". Without one
+    the healthy body's own variation drowns what is hidden.
+    """
+
+    control = Presses
+    observe = ("place", "reading")
+    defaults = {"substeps": 50, "max_episode_steps": 60, "settings": FingerSettings(radius_mm=8.0)}
+
+    def __init__(self, reference: str = "model", *, count: tuple[int, int] = (1, 1), change_percent: Range = (50.0, 50.0),
+                 radius_mm: Range = (15.0, 15.0), pool: int = 64, bodies_seed: int = 0, cost: float = 0.01) -> None:
+        """Raises ValueError for another reference, or counts that are none."""
+        if reference not in ("model", "other_side", "none"):
+            raise ValueError(f"reference: must be 'model', 'other_side' or 'none', not {reference!r}")
+        if not 0 <= count[0] <= count[1] or pool < 1:
+            raise ValueError("count: must be (least, most), and pool at least 1")
+        self.reference, self.cost = reference, cost
+        self._pool: dict[str, Any] = {"count": count, "change_percent": change_percent, "radius_mm": radius_mm, "pool": pool,
+                                      "seed": bodies_seed}
+
+    def bodies(self, options: Options) -> Bodies:
+        """The pool."""
+        world = torso()
+        return Bodies.with_stiff_places(world, Region([world], options.around, options.reach_mm), **self._pool)
+
+    def attach(self, env: VectorEnv) -> None:
+        """Where what is hidden lies in each body, mm from the region's middle, seen along its normal."""
+        super().attach(env)
+        places = env.region.coordinates(np.arange(len(env.bodies)), env.bodies.hidden) * env.region.reach_mm
+        self._hidden: Floats = np.where(np.isnan(places), np.inf, places)
+
+
+class FindLump(Search):
+    """Find what is hidden, by pressing. Three more numbers of an action say where it is believed to be, coordinates (a,
+    b) of the region, and how sure: above 0.5 ends the episode, as found there; below -0.5 says that there is nothing.
+
+    It pays 1 for what is right, within goal_mm of one, and -1 for what is not.
+    """
+
+    answers = 3
+
+    def __init__(self, reference: str = "model", goal_mm: float = 5.0, **options: Any) -> None:
+        """options: as Search. Raises ValueError."""
+        super().__init__(reference, **options)
+        if not goal_mm > 0:
+            raise ValueError("goal_mm: must be above 0")
+        self.goal_mm = goal_mm
+
+    def judge(self) -> Judgement:
+        """infos: success, error_mm of the belief, whether it is declared or not; inf where nothing is hidden."""
+        env = self.env
+        belief = np.clip(env.answers[:, :2], -1.0, 1.0) * env.region.reach_mm
+        away = self._hidden[env.body] - belief[:, None]
+        error = np.hypot(away[..., 0], away[..., 1]).min(axis=1)
+        found, nothing = env.answers[:, 2] > 0.5, env.answers[:, 2] < -0.5
+        right = np.where(found, error <= self.goal_mm, nothing & (env.bodies.counts[env.body] == 0))
+        ended = found | nothing
+        return np.where(ended, np.where(right, 1.0, -1.0), 0.0) - self.cost, ended, {"success": right, "error_mm": error}
+
+
+TASKS: dict[str, type[Task]] = {task.__name__: task for task in (FindStiffest, FollowForce, FindLump)}
 
 
 def make_task(task: Any, options: Optional[dict[str, Any]] = None) -> Task:
