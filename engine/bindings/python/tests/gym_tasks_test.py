@@ -192,6 +192,21 @@ def test_noise_and_bodies_without_anything(torso, region):
     np.testing.assert_allclose(rewards, np.where(empty, 0.99, -1.01))
 
 
+def test_count_lumps_pays_the_right_number(torso, region):
+    bodies = Bodies.with_stiff_places(torso, region, pool=12, count=(0, 3), seed=2)
+    env = VectorEnv(30, task="CountLumps", bodies=bodies, **SEARCH)
+    env.reset(seed=1)
+    counts = bodies.counts[env.body]
+    assert set(counts) == {0, 1, 2, 3}
+    on = env.step(np.tile([0.1, 0.1, -0.01], (30, 1)))
+    assert not on[2].any() and np.allclose(on[1], -0.01) and not on[4]["success"].any()
+    said = np.arange(30) % 4
+    _, rewards, terminated, _, infos = env.step(np.concatenate([np.zeros((30, 2)), (said[:, None] + 0.5) / 4], axis=1))
+    assert terminated.all() and (infos["success"] == (said == counts)).all()
+    np.testing.assert_allclose(rewards, np.where(said == counts, 1.0, -np.abs(said - counts) / 3) - 0.01)
+    assert pressed(env, grid(2)).shape == (4, 30, 2)
+
+
 def test_bodies_of_a_pool_do_not_depend_on_its_size(torso, region):
     few, many = (Bodies.with_stiff_places(torso, region, pool=pool, count=(1, 3), seed=4) for pool in (3, 7))
     np.testing.assert_array_equal(few.hidden[:3, :2], many.hidden[:3, :2])
@@ -226,7 +241,7 @@ def test_what_cannot_be_searched_is_refused(torso, region, soft):
     with pytest.raises(ValueError, match="goal_mm"):
         VectorEnv(2, task="FindLump", bodies=torso, goal_mm=0)
     with pytest.raises(ValueError, match="count"):
-        VectorEnv(2, task="FindLump", count=(3, 1))
+        VectorEnv(2, task="CountLumps", count=(3, 1))
     side = Region([palpate.World.from_arrays([[0, -1, -1], [0, 1, -1], [0, 0, 1]], [[0, 1, 2]], repair=False)], [0, 0, 0], 1.0)
     with pytest.raises(ValueError, match="face z"):
         Bodies.with_stiff_places(torso, side, pool=1)

@@ -16,7 +16,7 @@ from palpate.gym.observing import Block, Singles
 if TYPE_CHECKING:
     from palpate.gym.vector import Options, VectorEnv
 
-__all__ = ["TASKS", "FindLump", "FindStiffest", "FollowForce", "Search", "Task", "make_task"]
+__all__ = ["TASKS", "CountLumps", "FindLump", "FindStiffest", "FollowForce", "Search", "Task", "make_task"]
 
 Judgement = tuple[Floats, Flags, dict[str, Any]]
 
@@ -246,7 +246,32 @@ class FindLump(Search):
         return np.where(ended, np.where(right, 1.0, -1.0), 0.0) - self.cost, ended, {"success": right, "error_mm": error}
 
 
-TASKS: dict[str, type[Task]] = {task.__name__: task for task in (FindStiffest, FollowForce, FindLump)}
+class CountLumps(Search):
+    """Say how many places are hidden, 0 to 3 or what `count` says, after presses. One more number of an action: below 0
+    goes on, from 0 to 1 it ends the episode with an answer, in equal parts for 0 to the most.
+
+    It pays 1 for the right number, otherwise minus the error over the most.
+    """
+
+    answers = 1
+
+    def __init__(self, reference: str = "model", *, count: tuple[int, int] = (0, 3), **options: Any) -> None:
+        """options: as Search. Raises ValueError."""
+        super().__init__(reference, count=count, **options)
+        self.most = max(1, count[1])
+
+    def judge(self) -> Judgement:
+        """infos: success, error of the answer, 0 before."""
+        env = self.env
+        given = env.answers[:, 0]
+        ended = given >= 0
+        answer = np.minimum(given * (self.most + 1), self.most).astype(np.int64)
+        error = np.where(ended, np.abs(answer - env.bodies.counts[env.body]), 0)
+        right = ended & (error == 0)
+        return np.where(ended, right - error / self.most, 0.0) - self.cost, ended, {"success": right, "error": error}
+
+
+TASKS: dict[str, type[Task]] = {task.__name__: task for task in (FindStiffest, FollowForce, FindLump, CountLumps)}
 
 
 def make_task(task: Any, options: Optional[dict[str, Any]] = None) -> Task:
