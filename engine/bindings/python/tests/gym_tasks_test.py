@@ -8,6 +8,7 @@ import pytest
 import palpate
 from conftest import dome
 from palpate.gym import Bodies, Region, VectorEnv
+from palpate.gym.hands import rotations
 
 PLACE = [0.0, 0.0, 20.0]
 SEARCH = {"around": "T9 right 30 mm", "reach_mm": 40.0}
@@ -245,3 +246,63 @@ def test_what_cannot_be_searched_is_refused(torso, region, soft):
     side = Region([palpate.World.from_arrays([[0, -1, -1], [0, 1, -1], [0, 0, 1]], [[0, 1, 2]], repair=False)], [0, 0, 0], 1.0)
     with pytest.raises(ValueError, match="face z"):
         Bodies.with_stiff_places(torso, side, pool=1)
+
+
+def scanned(env: VectorEnv, tilt: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """With the force that is asked for along the line, giving way to moments where the head does not stay tilted: what
+    was paid, which ended, which as a success."""
+    observed, _ = env.reset(seed=2)
+    env.hands.turned[:] = env.hands.turned @ rotations(np.array([[0.0, tilt, 0.0]]))
+    total, done, success = np.zeros(4), np.zeros(4, bool), np.zeros(4, bool)
+    for _ in range(1000):
+        goal, force, moment = observed[:, -3:], observed[:, 12:15], observed[:, 15:18]
+        turned = env.hands.turned
+        pressing = np.einsum("ni,ni->n", force, turned[:, :, 2])
+        action = np.zeros((4, 6))
+        action[:, 0] = -goal[:, 1] * 60.0 / 0.5
+        action[:, 1] = np.where(pressing > 0.7 * goal[:, 0], 0.3, 0.0)
+        action[:, 2] = (pressing - goal[:, 0]) * 0.3
+        if not tilt:
+            action[:, 3:5] = 0.01 * np.einsum("nij,ni->nj", turned, moment)[:, :2]
+        observed, rewards, terminated, _, infos = env.step(action)
+        gained = np.maximum(goal[:, 2] - observed[:, -1], 0.0)
+        assert (rewards <= gained * observed[:, -4] + 1e-6).all(), "the share of the way times that of the head on the skin"
+        total += np.where(done, 0, rewards)
+        success |= infos["success"] & ~done
+        done |= terminated
+        if done.all():
+            break
+    return total, done, success
+
+
+def test_scan_with_probe_pays_the_way_at_the_force(torso):
+    env = VectorEnv(4, task="ScanWithProbe", bodies=torso)
+    assert env.single_action_space.shape == (6,) and env.single_observation_space.shape == (3 + 9 + 3 + 3 + 1 + 3,)
+    total, done, success = scanned(env, 0.0)
+    assert done.all() and success.all() and (total > 0.7).all() and (total <= 1).all()
+    tilted, done, success = scanned(VectorEnv(4, task="ScanWithProbe", bodies=torso, force_n=(0.5, 1.0)), 0.7)
+    assert done.all() and not success.any() and (0 < tilted).all() and (tilted < 0.7).all()
+
+
+def test_scan_with_probe_pays_nothing_in_the_air_and_ends_where_it_hurts(torso):
+    env = VectorEnv(2, task="ScanWithProbe", bodies=torso, observe=("turned", "touching", "goal"), limit_n=8.0)
+    observed, _ = env.reset(seed=1)
+    turned = observed[:, :9].reshape(2, 3, 3)
+    np.testing.assert_allclose(turned @ turned.transpose(0, 2, 1), np.tile(np.eye(3), (2, 1, 1)), atol=1e-5)
+    assert (turned[:, 2, 2] > 0.9).all() and (observed[:, 9] == 0).all()
+    np.testing.assert_allclose(observed[:, -1], 1.0, atol=0.02)
+    paid = sum(env.step(np.tile([0, 1.0, 0.3, 0, 0, 0], (2, 1)))[1] for _ in range(60))
+    assert not paid.any()
+    env.reset(seed=1)
+    for _ in range(120):
+        _, rewards, terminated, _, infos = env.step(np.tile([0, 0, -1.0, 0, 0, 0], (2, 1)))
+        if terminated.any():
+            break
+    assert terminated.any() and (rewards[terminated] < -0.9).all() and not infos["success"].any()
+    with pytest.raises(ValueError, match="force_n"):
+        VectorEnv(1, task="ScanWithProbe", bodies=torso, force_n=(0, 3))
+    with pytest.raises(ValueError, match="record"):
+        VectorEnv(1, task="ScanWithProbe", bodies=torso, record="nowhere")
+    for wrong in ("contact", "normal", "pressure4"):
+        with pytest.raises(ValueError, match="observe"):
+            VectorEnv(1, task="ScanWithProbe", bodies=torso, observe=(wrong,))

@@ -10,13 +10,14 @@ import numpy as np
 
 from palpate._core import FingerSettings, World
 from palpate.gym.bodies import Bodies, Floats, Range, Region, Whole
-from palpate.gym.hands import Flags, Hands, Moves, Presses
+from palpate.gym.hands import CLEAR_MM, Flags, Hands, Moves, Presses, Scans
 from palpate.gym.observing import Block, Singles
 
 if TYPE_CHECKING:
     from palpate.gym.vector import Options, VectorEnv
 
-__all__ = ["TASKS", "CountLumps", "FindLump", "FindStiffest", "FollowForce", "Search", "Task", "make_task"]
+__all__ = ["TASKS", "CountLumps", "FindLump", "FindStiffest", "FollowForce", "ScanWithProbe", "Search", "Task",
+           "make_task"]
 
 Judgement = tuple[Floats, Flags, dict[str, Any]]
 
@@ -271,7 +272,79 @@ class CountLumps(Search):
         return np.where(ended, right - error / self.most, 0.0) - self.cost, ended, {"success": right, "error": error}
 
 
-TASKS: dict[str, type[Task]] = {task.__name__: task for task in (FindStiffest, FollowForce, FindLump, CountLumps)}
+class ScanWithProbe(Task):
+    """Take a linear ultrasound head along the spine at a force: from the region's lower part to its upper one, across the
+    middle line, flat on the skin, with force_n, one drawn an episode.
+
+    What is gained of the way pays, in all 1, times how near the force is (1 less its relative error), the share of the
+    head on the skin, and how near its middle is to the line (1 less a tenth of the distance, mm). An episode ends at the
+    upper end, as a success where at least success_share was paid, and where the force is over limit_n.
+    """
+
+    control = Scans
+    draws = 1
+    observe = ("tip", "turned", "force", "moment", "touching", "goal")
+    defaults = {"around": "T9", "reach_mm": 60.0, "substeps": 1, "max_step_mm": 0.5, "max_episode_steps": 1000,
+                "settings": FingerSettings(radius_mm=3.0)}
+    END = 0.7  # coordinate b where the way ends; it begins at the other sign of it
+
+    def __init__(self, force_n: Range = (2.0, 6.0), success_share: float = 0.7, limit_n: float = 30.0) -> None:
+        """Raises ValueError for forces that are not above 0, or not below the limit."""
+        if not 0 < force_n[0] <= force_n[1] < limit_n:
+            raise ValueError("force_n: must be above 0 and below limit_n")
+        self.force_n, self.success_share, self.limit_n = force_n, success_share, limit_n
+
+    def blocks(self) -> dict[str, Block]:
+        """goal: the force, N, how far the head is from the line over reach_mm, and the share of the way that is left."""
+        return {"goal": Block(3, -np.inf, np.inf, self._write_goal)}
+
+    def _write_goal(self, env: VectorEnv, out: Singles) -> None:
+        out[:, 0] = self._force
+        out[:, 1:] = self._at * [1.0, -0.5 / self.END] + [0.0, 0.5]
+
+    def attach(self, env: VectorEnv) -> None:
+        """Makes room."""
+        super().attach(env)
+        self._force: Floats = np.ones(env.num_envs)
+        self._at: Floats = np.zeros((env.num_envs, 2))
+        self._farthest, self._paid = np.zeros((2, env.num_envs))
+
+    def begin(self, which: Whole, draws: Floats) -> None:
+        """Draws the force, and puts the head over the lower end."""
+        env = self.env
+        hands: Any = env.hands
+        low, high = self.force_n
+        self._force[which] = low + (high - low) * draws[:, 0]
+        bodies = env.body[which]
+        begun = env.region.coordinates(bodies, hands.tips[which, 0])
+        lower = begun * [0.4, 0.0] - [0.0, self.END]
+        points, normals = env.region.at(bodies, lower)
+        hands.tips[which, 0] = points + CLEAR_MM * normals
+        hands.turned[which] = hands.flat(bodies, normals)
+        self._at[which], self._farthest[which], self._paid[which] = lower, -self.END, 0.0
+
+    def judge(self) -> Judgement:
+        """infos: success, error_n of the force, paid in all."""
+        env, felt = self.env, self.env.felt
+        self._at = env.region.coordinates(env.body, env.hands.tips[:, 0])
+        pressing = np.einsum("ij,ij->i", felt["force"][:, 0], felt["turned"][:, 0, :, 2])
+        error = np.abs(pressing - self._force)
+        near = np.maximum(1.0 - error / self._force, 0.0)
+        near *= np.maximum(1.0 - 0.1 * env.region.reach_mm * np.abs(self._at[:, 0]), 0.0)
+        near *= felt["touching"][:, 0]
+        reached = np.clip(self._at[:, 1], self._farthest, self.END)
+        rewards = (reached - self._farthest) / (2 * self.END) * near
+        self._farthest = reached
+        self._paid += rewards
+        over = pressing > self.limit_n
+        rewards[over] -= 1.0
+        ended = reached >= self.END
+        success = ended & ~over & (self._paid >= self.success_share)
+        return rewards, ended | over, {"success": success, "error_n": error, "paid": self._paid.copy()}
+
+
+TASKS: dict[str, type[Task]] = {task.__name__: task for task in (
+    FindStiffest, FollowForce, FindLump, CountLumps, ScanWithProbe)}
 
 
 def make_task(task: Any, options: Optional[dict[str, Any]] = None) -> Task:
