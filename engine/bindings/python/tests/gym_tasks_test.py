@@ -248,6 +248,47 @@ def test_what_cannot_be_searched_is_refused(torso, region, soft):
         Bodies.with_stiff_places(torso, side, pool=1)
 
 
+def test_explore_two_hands_pays_for_new_cells(soft):
+    env = VectorEnv(4, task="ExploreTwoHands", bodies=soft, around=PLACE, max_episode_steps=1000, apart_mm=5.0)
+    observed, _ = env.reset(seed=3)
+    assert env.single_action_space.shape == (6,) and env.single_observation_space.shape == (6 + 6 + 2 + 64,)
+    rows = np.linspace(-35, 35, 8)
+    # Each hand mows its half: down the first column, up the next, 5 mm under the top of the dome.
+    left = np.array([[x, y] for k, x in enumerate(rows[:4]) for y in (rows if k % 2 else rows[::-1])])
+    at, total, done = np.zeros((4, 2), int), np.zeros(4), np.zeros(4, bool)
+    for _ in range(900):
+        tips = env.hands.tips
+        goal = np.stack([left[at[:, 0]], left[at[:, 1]] * [-1, 1]], axis=1)
+        skin = 20 * (1 - (tips[..., :2] ** 2).sum(axis=2) / (2 * 100.0**2))
+        way = np.concatenate([goal - tips[..., :2], (skin - 5.0 - tips[..., 2])[..., None]], axis=2)
+        at += (np.abs(way) < 1.0).all(axis=2) & (at < len(left) - 1)
+        _, rewards, terminated, _, infos = env.step((way / 2.0).reshape(4, 6))
+        total += np.where(done, 0, rewards)
+        np.testing.assert_allclose(total[~done], infos["share"][~done])
+        done |= terminated
+        assert (infos["success"] == terminated).all()
+        if done.all():
+            break
+    assert done.all() and (total >= 0.9).all()
+
+
+def test_explore_two_hands_costs_what_would_hurt_or_collide(soft):
+    env = VectorEnv(2, task="ExploreTwoHands", bodies=soft, around=PLACE, limit_n=5.0)
+    env.reset(seed=1)
+    assert (env.hands.tips[:, 0, 0] < env.hands.tips[:, 1, 0]).all()
+    env.hands.tips[0, 1] = env.hands.tips[0, 0] + [15.0, 0, 0]
+    env.hands.tips[1, 1] = env.hands.tips[1, 0] + [17.0, 0, 0]
+    np.testing.assert_allclose(env.step(np.zeros((2, 6)))[1], [-1 / 64, 0.0])
+    down = np.tile([0, 0, -1.0, 0, 0, 0], (2, 1))
+    for _ in range(30):
+        _, rewards, terminated, _, infos = env.step(down)
+        if terminated.any():
+            break
+    assert terminated.all() and (rewards == -1).all() and not infos["success"].any()
+    with pytest.raises(ValueError, match="goal_share"):
+        VectorEnv(2, task="ExploreTwoHands", bodies=soft, around=PLACE, goal_share=1.5)
+
+
 def scanned(env: VectorEnv, tilt: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """With the force that is asked for along the line, giving way to moments where the head does not stay tilted: what
     was paid, which ended, which as a success."""

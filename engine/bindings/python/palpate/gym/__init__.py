@@ -28,7 +28,8 @@ __all__ = ["AutoresetMode", "Block", "Bodies", "Env", "HAS_GYMNASIUM", "Options"
            "register"]
 
 # Of each task; raised whenever a reward, a space or a default changes.
-VERSIONS = {"FindStiffest": 0, "FollowForce": 0, "FindLump": 0, "CountLumps": 0, "ScanWithProbe": 0}
+VERSIONS = {"FindStiffest": 0, "FollowForce": 0, "FindLump": 0, "CountLumps": 0, "ScanWithProbe": 0,
+            "ExploreTwoHands": 0}
 
 
 def register() -> list[str]:

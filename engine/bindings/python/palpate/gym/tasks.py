@@ -16,7 +16,7 @@ from palpate.gym.observing import Block, Singles
 if TYPE_CHECKING:
     from palpate.gym.vector import Options, VectorEnv
 
-__all__ = ["TASKS", "CountLumps", "FindLump", "FindStiffest", "FollowForce", "ScanWithProbe", "Search", "Task",
+__all__ = ["TASKS", "CountLumps", "ExploreTwoHands", "FindLump", "FindStiffest", "FollowForce", "ScanWithProbe", "Search", "Task",
            "make_task"]
 
 Judgement = tuple[Floats, Flags, dict[str, Any]]
@@ -343,8 +343,60 @@ class ScanWithProbe(Task):
         return rewards, ended | over, {"success": success, "error_n": error, "paid": self._paid.copy()}
 
 
+class ExploreTwoHands(Task):
+    """Feel all of a region with two fingers: a step pays 1/64 for each of its 8 x 8 cells that a finger presses at least
+    depth_mm deep for the first time, and costs as much where the fingers are nearer than they are wide, apart_mm.
+
+    It ends as a success with goal_share of the cells, and with -1 where a force is over limit_n.
+    """
+
+    CELLS = 8  # a side
+    hands = 2
+    observe = ("tip", "force", "depth", "felt")
+
+    def __init__(self, depth_mm: float = 2.0, goal_share: float = 0.9, apart_mm: float = 16.0, limit_n: float = 15.0) -> None:
+        """Raises ValueError for a share that is not above 0, or above 1."""
+        if not 0 < goal_share <= 1:
+            raise ValueError("goal_share: must be above 0, at most 1")
+        self.depth_mm, self.goal_share, self.apart_mm, self.limit_n = depth_mm, goal_share, apart_mm, limit_n
+
+    def blocks(self) -> dict[str, Block]:
+        """felt: of each cell whether it was felt, row by row along (a, b)."""
+        return {"felt": Block(self.CELLS**2, 0.0, 1.0, self._write_cells)}
+
+    def _write_cells(self, env: VectorEnv, out: Singles) -> None:
+        out[:] = self._cells
+
+    def attach(self, env: VectorEnv) -> None:
+        """Makes room."""
+        super().attach(env)
+        self._cells: Flags = np.zeros((env.num_envs, self.CELLS**2), bool)
+
+    def begin(self, which: Whole, draws: Floats) -> None:
+        """Nothing is felt yet."""
+        self._cells[which] = False
+
+    def judge(self) -> Judgement:
+        """infos: success, share of the cells."""
+        env, felt, cells = self.env, self.env.felt, self.CELLS
+        at = np.floor((env.region.coordinates(env.body, felt["proxy"]) + 1.0) * (0.5 * cells)).astype(np.int64)
+        pressed = (felt["depth"] >= self.depth_mm) & ((at >= 0) & (at < cells)).all(axis=2)
+        before = self._cells.sum(axis=1)
+        for hand in range(self.hands):
+            which = np.flatnonzero(pressed[:, hand])
+            self._cells[which, at[which, hand, 0] * cells + at[which, hand, 1]] = True
+        now = self._cells.sum(axis=1)
+        tips = env.hands.tips
+        near = ((tips[:, 0] - tips[:, 1]) ** 2).sum(axis=1) < self.apart_mm**2
+        over = (np.square(felt["force"]).sum(axis=2) > self.limit_n**2).any(axis=1)
+        share = now / cells**2
+        success = (share >= self.goal_share) & ~over
+        rewards = np.where(over, -1.0, (now - before - near) / cells**2)
+        return rewards, success | over, {"success": success, "share": share}
+
+
 TASKS: dict[str, type[Task]] = {task.__name__: task for task in (
-    FindStiffest, FollowForce, FindLump, CountLumps, ScanWithProbe)}
+    FindStiffest, FollowForce, FindLump, CountLumps, ScanWithProbe, ExploreTwoHands)}
 
 
 def make_task(task: Any, options: Optional[dict[str, Any]] = None) -> Task:
