@@ -355,6 +355,16 @@ def test_a_picture_of_each(torso):
     assert VectorEnv(1, bodies=torso).render() is None
 
 
+def test_a_head_is_drawn_as_the_spheres_that_it_is_made_of(torso):
+    view = pytest.importorskip("palpate.view")
+    env = VectorEnv(1, task="ScanWithProbe", bodies=torso, render_mode="rgb_array", render_size=(64, 48))
+    env.reset(seed=1)
+    camera = view.Camera(look_at=env.region.middle[0], zoom=4)
+    spheres = view.render(torso, None, env.hands.fingers.touches(), size=(64, 48), supersampling=1, labels=False, camera=camera,
+                          finger="ball", radius_mm=3.0)
+    np.testing.assert_array_equal(env.render()[0], spheres)
+
+
 def test_a_task_of_ones_own(hidden):
     class Press(Task):
         draws = 1

@@ -29,6 +29,7 @@ class Hands:
 
     width = 0  # numbers of an action
     draws = 0  # uniform numbers that an episode needs
+    drawn: Optional[str] = None  # the shape of a finger in a picture; None: a finger
     tips: Floats  # (n, hands, 3), mm, of those that move
 
     def __init__(self, env: VectorEnv, fields: tuple[str, ...], hands: int = 1, rows: int = 1) -> None:
@@ -208,6 +209,8 @@ class Scans(Moves):
     `felt` has force, moment about the head's middle, depth of the deepest pad, `touching`, the share of its pads, and
     `turned`, the rotation from the head's frame to the body's.
     """
+
+    drawn = "ball"  # each of the head's pads is a sphere
 
     def __init__(self, env: VectorEnv, fields: tuple[str, ...]) -> None:
         super().__init__(env, ())

@@ -221,7 +221,8 @@ class VectorEnv(VectorBase):
         touches: Any = self.hands.fingers.touches()
         each = getattr(self.hands.fingers, "pads", self.hands.hands)
         return tuple(view.render(self.bodies.worlds[self.body[number]], None, touches[number * each:(number + 1) * each],
-                                 size=self.options.render_size, supersampling=1, labels=False,
+                                 size=self.options.render_size, supersampling=1, labels=False, finger=self.hands.drawn,
+                                 radius_mm=self.hands.settings.radius_mm or None,
                                  camera=view.Camera(look_at=self.region.middle[self.body[number]], zoom=4))
                      for number in range(self.num_envs))
 
