@@ -189,7 +189,7 @@ Stations makeStations(const classroom::ClassFolder& folder, const ClassLoadSetti
   return stations;
 }
 
-std::size_t waitingIn(const Stations& stations) {
+std::size_t countUnsentRows(const Stations& stations) {
   std::size_t waiting = 0;
   for (const auto& station : stations) waiting += station->link().waiting();
   return waiting;
@@ -259,10 +259,10 @@ ClassLoadReport runClassLoad(const classroom::ClassFolder& folder, const ClassLo
   std::this_thread::sleep_for(std::chrono::milliseconds(500));  // lets messages in transit arrive
   viewer.stopCounting();
   viewer.fill(report);
-  while (waitingIn(stations) > 0 && secondsSince(ended) < settings.catch_up_s && going(settings.seconds)) {
+  while (countUnsentRows(stations) > 0 && secondsSince(ended) < settings.catch_up_s && going(settings.seconds)) {
     std::this_thread::sleep_for(kLiveEvery);
   }
-  report.waiting = waitingIn(stations);
+  report.waiting = countUnsentRows(stations);
   report.caught_up_s = report.waiting == 0 ? secondsSince(ended) : -1.0;
   for (const auto& station : stations) {
     const classroom::LinkCounts counts = station->link().counts();

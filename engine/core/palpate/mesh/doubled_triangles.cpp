@@ -44,7 +44,7 @@ struct TwinCount {
   std::size_t surplus() const {
     return std::max(wound[0].size(), wound[1].size()) - std::min(wound[0].size(), wound[1].size());
   }
-  std::size_t side() const { return wound[1].size() > wound[0].size() ? 1 : 0; }
+  std::size_t surplusSide() const { return wound[1].size() > wound[0].size() ? 1 : 0; }
 };
 
 TwinCount countTwins(const TriangleMesh& mesh, const TwinGroup& group) {
@@ -128,8 +128,8 @@ void cancelTwins(TriangleMesh& mesh, const std::vector<TwinGroup>& groups, Doubl
       }
       continue;
     }
-    const auto& more = count.wound[count.side()];
-    const auto& fewer = count.wound[1 - count.side()];
+    const auto& more = count.wound[count.surplusSide()];
+    const auto& fewer = count.wound[1 - count.surplusSide()];
     for (const Index t : fewer) marked[t] = true;
     for (std::size_t i = surplus; i < more.size(); ++i) marked[more[i]] = true;
     removed.cancelled += fewer.size();

@@ -72,7 +72,7 @@ std::vector<std::array<Vec3, 2>> leafBoxes(const hdb::Partition& tree) {
 }
 
 /// Green for the triangles in the found leaves, the skin's colour for the others.
-std::vector<figures::Colour> hapticColours(const hdb::Partition& tree, const hdb::LeafHits& hits) {
+std::vector<figures::Colour> colourFoundLeaves(const hdb::Partition& tree, const hdb::LeafHits& hits) {
   std::vector<figures::Colour> colours(tree.triangle_count, figures::kSkin);
   for (const Index leaf : hits.leaves) {
     for (const Index triangle : hdb::trianglesOf(tree, tree.nodes[leaf])) colours[triangle] = kHapticGreen;
@@ -123,7 +123,7 @@ MeshView hapticView(const mesh::TriangleMesh& mesh, const hdb::Partition& tree, 
                     const Vec3& proxy) {
   MeshView view =
       makeMeshView(mesh, fmt::format("{} of {} triangles", hdb::entriesIn(tree, hits.leaves), mesh.triangles.size()));
-  view.colours = hapticColours(tree, hits);
+  view.colours = colourFoundLeaves(tree, hits);
   const Box3 box = hdb::hapticBox(proxy, hdb::hdbEdges(tree.bounds));
   view.lines.push_back({.segments = figures::boxEdges(box), .colour = figures::kBlue});
   view.balls.push_back({proxy, 0.012 * tree.bounds.diagonal().norm(), figures::kVermilion});

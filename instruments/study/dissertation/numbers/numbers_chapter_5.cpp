@@ -56,16 +56,16 @@ void addRatios(const PrintedNumbers& printed, Rows& rows) {
 }
 
 // The subjects' rows are printed as well: a mean of them is the text's own, though it is the engine that takes it.
-void addOwn(const std::string& where, const std::string& what, const std::string& printed, double ours,
-            const std::string& reason, Rows& rows) {
+void addFromPrinted(const std::string& where, const std::string& what, const std::string& printed, double ours,
+                    const std::string& reason, Rows& rows) {
   rows.push_back(judged(where, what, printed, ours, reason, Source::printed));
 }
 
 void addMean(const std::string& where, const PrintedMean& printed, const maps::PlainMean& ours, Rows& rows) {
-  addOwn(where, "major axis, cm", printed.major_cm, ours.major_cm, "mean of the subjects", rows);
-  addOwn(where, "minor axis, cm", printed.minor_cm, ours.minor_cm, "mean of the subjects", rows);
-  addOwn(where, "ratio", printed.ratio, ours.major_over_minor, "mean of the unrounded ratios", rows);
-  addOwn(where, "degree", printed.degree, ours.direction_deg, "arithmetic mean (E30)", rows);
+  addFromPrinted(where, "major axis, cm", printed.major_cm, ours.major_cm, "mean of the subjects", rows);
+  addFromPrinted(where, "minor axis, cm", printed.minor_cm, ours.minor_cm, "mean of the subjects", rows);
+  addFromPrinted(where, "ratio", printed.ratio, ours.major_over_minor, "mean of the unrounded ratios", rows);
+  addFromPrinted(where, "degree", printed.degree, ours.direction_deg, "arithmetic mean (E30)", rows);
 }
 
 void addMeans(const PrintedNumbers& printed, Rows& rows) {
@@ -84,13 +84,13 @@ void addKeys(const PrintedNumbers& printed, Rows& rows) {
     const maps::PlainMean mean = maps::plainMean(maps::measuredAt(maps::ForceDirection::up, point));
     const std::string figure = fmt::format("Figure 5.3, P{}", point);
     const std::string of_up = "mean of \"up\"";
-    addOwn(figure, "2l, cm", key.figure_major_cm, mean.major_cm, "full axis (E16), " + of_up, rows);
-    addOwn(figure, "r", key.figure_ratio, mean.major_over_minor, of_up, rows);
-    addOwn(figure, "d, degree", key.figure_degree, mean.direction_deg, of_up, rows);
+    addFromPrinted(figure, "2l, cm", key.figure_major_cm, mean.major_cm, "full axis (E16), " + of_up, rows);
+    addFromPrinted(figure, "r", key.figure_ratio, mean.major_over_minor, of_up, rows);
+    addFromPrinted(figure, "d, degree", key.figure_degree, mean.direction_deg, of_up, rows);
     const std::string table = fmt::format("Appendix C, last table, P{}", point);
-    addOwn(table, "major axis, mm", key.table_major_mm, kMmPerCm * mean.major_cm, "full axis (E16)", rows);
-    addOwn(table, "ratio", key.table_ratio, mean.major_over_minor, of_up, rows);
-    addOwn(table, "degree", key.table_degree, mean.direction_deg, of_up, rows);
+    addFromPrinted(table, "major axis, mm", key.table_major_mm, kMmPerCm * mean.major_cm, "full axis (E16)", rows);
+    addFromPrinted(table, "ratio", key.table_ratio, mean.major_over_minor, of_up, rows);
+    addFromPrinted(table, "degree", key.table_degree, mean.direction_deg, of_up, rows);
   }
 }
 

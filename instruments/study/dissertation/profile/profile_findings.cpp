@@ -21,7 +21,7 @@ FindingValues smallestSize(const ArraySweep& all) {
 }
 
 /// Right and wrong parts of "20 is significantly different, 130 not obviously, 700 slightly better".
-FindingValues placesOfArrays(const ProfileResults& results) {
+FindingValues placeErrorsByArraySize(const ProfileResults& results) {
   const auto error = [&](int entries) { return ofSize(results.nearest[0], entries).error_mm; };
   FindingValues right = FindingValues::array();
   FindingValues wrong = FindingValues::array();
@@ -33,7 +33,7 @@ FindingValues placesOfArrays(const ProfileResults& results) {
           {"pixel_mm", kPixelMm},  {"right", right},          {"wrong", wrong}};
 }
 
-FindingValues shadingOfArrays(const ProfileResults& results) {
+FindingValues shadingByArraySize(const ProfileResults& results) {
   const auto turn = [&](std::size_t spacing, int entries) {
     return ofSize(results.nearest[spacing], entries).turn_deg;
   };
@@ -94,8 +94,8 @@ std::size_t indexOf(int entries) {
 }
 
 std::vector<std::string> profileFindings(const ProfileResults& results) {
-  return formatFindings(texts::profile_findings, {{"place", placesOfArrays(results)},
-                                                  {"shading", shadingOfArrays(results)},
+  return formatFindings(texts::profile_findings, {{"place", placeErrorsByArraySize(results)},
+                                                  {"shading", shadingByArraySize(results)},
                                                   {"linear", linearArrays(results)},
                                                   {"order", orderOfArrays(results)},
                                                   {"time", timesOfArrays(results.timing)}});

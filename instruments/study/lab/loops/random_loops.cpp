@@ -7,7 +7,7 @@ namespace palpate::lab {
 
 namespace {
 
-double around(Random& random, double value) { return value * random.uniform(0.7, 1.3); }
+double jittered(Random& random, double value) { return value * random.uniform(0.7, 1.3); }
 
 device::HandModel anyHand(Random& random) {
   using device::HandKind;
@@ -42,14 +42,14 @@ device::HandModel handLike(device::HandKind kind, Random& random) {
       return {random.uniform(0.14, 0.57), random.uniform(63e-3, 151e-3), random.uniform(3.7e-3, 10.3e-3),
               random.uniform(228e-3, 651e-3), random.uniform(0.87e-3, 4.6e-3)};
     case HandKind::stylus_z:
-      return {around(random, hand.mass_kg), random.uniform(214e-3, 533e-3), random.uniform(13e-3, 28e-3),
+      return {jittered(random, hand.mass_kg), random.uniform(214e-3, 533e-3), random.uniform(13e-3, 28e-3),
               random.uniform(679e-3, 1043e-3), random.uniform(0.0, 1.4e-3)};
     default:
       break;
   }
   for (double* value : {&hand.mass_kg, &hand.stiffness_n_per_mm, &hand.damping_n_s_per_mm, &hand.grip_n_per_mm,
                         &hand.grip_damping_n_s_per_mm}) {
-    *value = around(random, *value);
+    *value = jittered(random, *value);
   }
   return hand;
 }
@@ -67,7 +67,7 @@ LoopPlan randomLoop(const RandomCell& cell, std::uint64_t number) {
   LoopPlan plan;
   plan.believed = &nominal(number);
   plan.device = *plan.believed;
-  plan.device.mass_kg = around(random, plan.device.mass_kg);
+  plan.device.mass_kg = jittered(random, plan.device.mass_kg);
   plan.device.damping_n_s_per_mm *= random.uniform(0.1, 2.0);
   plan.device.friction_n *= random.uniform(0.5, 1.5);
   plan.amplifier_lag_s = random.uniform(0.0, 0.0005);

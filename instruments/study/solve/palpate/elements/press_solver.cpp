@@ -221,7 +221,7 @@ std::vector<double> tableRadii(double disc_radius_mm) {
 
 namespace {
 
-tissue::LayerStack aroundBone(tissue::LayerStack stack, double bone_radius_mm) {
+tissue::LayerStack withTissueBesideBone(tissue::LayerStack stack, double bone_radius_mm) {
   constexpr double kBesideMm = 30.0;
   if (!(bone_radius_mm > 0.0)) return stack;
   stack.layers.push_back(stack.layers.back());
@@ -255,8 +255,8 @@ PressSolution solvePress(const tissue::LayerStack& stack, const PressSettings& s
                          const std::function<bool()>& stop) {
   check(stack, settings);
   const auto start = Clock::now();
-  PressModel model(aroundBone(stack, settings.bone_radius_mm), meshFor(stack, settings), settings.indenter_radius_mm,
-                   settings.contact_kpa_per_mm);
+  PressModel model(withTissueBesideBone(stack, settings.bone_radius_mm), meshFor(stack, settings),
+                   settings.indenter_radius_mm, settings.contact_kpa_per_mm);
   PressPath path(model, settings);
   PressSolution solution;
   tissue::LayeredTable& table = solution.table;
