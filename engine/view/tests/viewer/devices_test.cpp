@@ -318,7 +318,7 @@ TEST(Devices, ThreePlacesThatAreTouchedCalibrateOne) {
 
 TEST(Devices, PlacesOnALineAreTakenAnew) {
   CalibrationSteps steps;
-  for (const double x : {0.0, 30.0, 60.0}) steps.take(Vec3(x, 0, 0), Vec3(x, 0, 0));
+  for (const double x : {0.0, 30.0, 60.0}) steps.addPair(Vec3(x, 0, 0), Vec3(x, 0, 0));
   EXPECT_FALSE(steps.found);
   EXPECT_NE(steps.trouble.find("nearly on a line"), std::string::npos);
   EXPECT_TRUE(steps.of_device.empty());

@@ -209,7 +209,7 @@ void calibrationPlaceWidgets(const Part& part) {
   valueLine("place",
             fmt::format("{:.0f}, {:.0f}, {:.0f} mm", clicked->place.x(), clicked->place.y(), clicked->place.z()));
   ImGui::BeginDisabled(!place.allFinite());
-  if (part.button("take", "Take this place", "Needs a position from the device.")) steps.take(place, clicked->place);
+  if (part.button("take", "Take this place", "Needs a position from the device.")) steps.addPair(place, clicked->place);
   ImGui::EndDisabled();
 }
 

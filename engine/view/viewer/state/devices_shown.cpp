@@ -31,7 +31,7 @@ std::string Interventions::recent(double now_s) const {
   return words;
 }
 
-void CalibrationSteps::take(const Vec3& device, const Vec3& body) {
+void CalibrationSteps::addPair(const Vec3& device, const Vec3& body) {
   trouble.clear();
   of_device.push_back(device);
   of_body.push_back(body);

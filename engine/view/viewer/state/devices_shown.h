@@ -73,7 +73,7 @@ struct CalibrationSteps {
   std::string trouble;  ///< why these places were unsuitable
 
   /// Adds a pair; after the third there is a calibration, or it starts over with the reason.
-  void take(const Vec3& device, const Vec3& body);
+  void addPair(const Vec3& device, const Vec3& body);
 };
 
 struct DevicesShown {

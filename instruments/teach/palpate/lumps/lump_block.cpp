@@ -182,13 +182,6 @@ bool LumpBlock::noMore() {
   return true;
 }
 
-void LumpBlock::timeOut() {
-  LumpTrial& now = trials_.back();
-  if (now.over) return;
-  std::erase_if(now.findings, [](const LumpFinding& finding) { return !finding.place_mm; });
-  now.over = now.timed_out = true;
-}
-
 void LumpBlock::next() {
   if (trial().over && !finished()) draw();
 }

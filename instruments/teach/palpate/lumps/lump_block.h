@@ -118,8 +118,7 @@ class LumpBlock {
   /// False: the question takes another answer.
   bool answer(int choice);
   bool answer(const Vec2& place_mm);
-  bool noMore();   ///< ends the current body of an examination
-  void timeOut();  ///< ends the body with the answers so far
+  bool noMore();  ///< ends the current body of an examination
   /// After a body that is done, unless that was the last.
   void next();
 
