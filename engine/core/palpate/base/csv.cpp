@@ -144,12 +144,12 @@ void forEachCsvRow(std::string_view text, std::string_view file, const std::func
 }
 
 Error unexpectedHeader(const CsvRow& row, std::string_view expected) {
-  constexpr std::size_t kMostShown = 80;
+  constexpr std::size_t kMaxShown = 80;
   std::string found;
   for (const std::string_view field : row.fields) found += fmt::format("{}{}", found.empty() ? "" : ",", field);
   return Error::atLine(row.file, row.line,
                        fmt::format("expected the header {}, found '{}'", expected,
-                                   wellFormed(found.substr(0, kMostShown)) + (found.size() > kMostShown ? "..." : "")));
+                                   wellFormed(found.substr(0, kMaxShown)) + (found.size() > kMaxShown ? "..." : "")));
 }
 
 double csvNumber(const CsvRow& row, std::size_t column, std::string_view column_name) {

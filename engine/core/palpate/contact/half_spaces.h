@@ -14,7 +14,7 @@ struct HalfSpace {
   double excess(const Vec3& x) const { return normal.dot(x) - offset; }
 };
 
-/// A set of bounded size: beyond kMost the newest is refused, which costs a round and not safety (the centre is always
+/// A set of bounded size: beyond kMax the newest is refused, which costs a round and not safety (the centre is always
 /// tested before it moves).
 class HalfSpaces {
  public:

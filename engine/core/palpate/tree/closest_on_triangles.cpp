@@ -214,8 +214,8 @@ HWY_INLINE std::uint32_t computeClosest(const Corners& corners, const V3& point,
 std::uint32_t closestOnTriangles(const TriangleRecord* records, const Index* which, int count, const Vec3& place,
                                  ClosestSideBySide& closest) {
   const V3 point{set(place.x()), set(place.y()), set(place.z())};
-  Index padded[kMostSideBySide];
-  for (int i = 0; i < kMostSideBySide; ++i) padded[i] = which[std::min(i, count - 1)];
+  Index padded[kMaxSideBySide];
+  for (int i = 0; i < kMaxSideBySide; ++i) padded[i] = which[std::min(i, count - 1)];
   std::uint32_t unclear = 0;
   for (int lane = 0; lane < count; lane += static_cast<int>(hn::Lanes(D()))) {
     unclear |= computeClosest(cornersOf(records, padded + lane), point, lane, closest);

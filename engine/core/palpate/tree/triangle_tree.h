@@ -57,13 +57,13 @@ TriangleTree buildTriangleTree(const mesh::TriangleMesh& mesh, const Progress& p
 inline constexpr int kMaxTreeLevels = 64;
 
 /// Triangles that are asked side by side: those of a full leaf.
-inline constexpr int kMostSideBySide = ChildLink::kMaxTrianglesPerLeaf;
+inline constexpr int kMaxSideBySide = ChildLink::kMaxTrianglesPerLeaf;
 
 /// Results of closestOnTriangle for several triangles, to the bit.
 struct alignas(kCacheLineBytes) ClosestSideBySide {
-  double x[kMostSideBySide], y[kMostSideBySide], z[kMostSideBySide];
-  double squared_distance[kMostSideBySide];
-  double feature[kMostSideBySide];  ///< the Feature's number
+  double x[kMaxSideBySide], y[kMaxSideBySide], z[kMaxSideBySide];
+  double squared_distance[kMaxSideBySide];
+  double feature[kMaxSideBySide];  ///< the Feature's number
 
   ClosestOnTriangle operator[](int i) const {
     return {{x[i], y[i], z[i]}, static_cast<Feature>(static_cast<int>(feature[i])), squared_distance[i]};
@@ -77,7 +77,7 @@ struct alignas(kCacheLineBytes) ClosestSideBySide {
   }
 };
 
-/// Closest points on the records `which`, 1 to kMostSideBySide of them.
+/// Closest points on the records `which`, 1 to kMaxSideBySide of them.
 void closestOnTriangles(const TriangleRecord* records, const Index* which, int count, const Vec3& point,
                         ClosestSideBySide& closest) noexcept;
 
@@ -157,11 +157,11 @@ void visitNearestFirst(const TriangleTree& tree, const Vec3& point, double squar
       size = pushNearestLast(node, bounds, unit_limit, stack, size);
       continue;
     }
-    Index which[kMostSideBySide];
+    Index which[kMaxSideBySide];
     int count = listTriangles(next.child, which, 0);
     // Leaves that come next anyway are asked along with it.
     while (size > 0 && stack[size - 1].child.isLeaf() &&
-           count + static_cast<int>(stack[size - 1].child.triangleCount()) <= kMostSideBySide) {
+           count + static_cast<int>(stack[size - 1].child.triangleCount()) <= kMaxSideBySide) {
       count = listTriangles(stack[--size].child, which, count);
     }
     ClosestSideBySide closest;

@@ -168,13 +168,13 @@ TEST(PressureField, IsNothingInTheAirAndNeverJumpsOnTheWayIn) {
   const Felt air = pressed({50, 50}, -1.0, {test::inventedLump({50, 50, 0})});
   for (const double kpa : computeField(air).kpa) EXPECT_EQ(kpa, 0.0);
   const PressurePad pad{.taxels = 4};
-  constexpr double kMostKpaPerMm = 75.0;
+  constexpr double kMaxKpaPerMm = 75.0;
   constexpr double kStepMm = 0.05;
   Field before = computeField(pressed({51, 50}, 0.02, {test::inventedLump({50, 50, 0})}), pad);
   for (double depth = 0.02 + kStepMm; depth < 7.0; depth += kStepMm) {
     const Field now = computeField(pressed({51, 50}, depth, {test::inventedLump({50, 50, 0})}), pad);
     for (std::size_t i = 0; i < 16; ++i) {
-      EXPECT_NEAR(now.kpa[i], before.kpa[i], kMostKpaPerMm * kStepMm) << depth << " mm, taxel " << i;
+      EXPECT_NEAR(now.kpa[i], before.kpa[i], kMaxKpaPerMm * kStepMm) << depth << " mm, taxel " << i;
     }
     before = now;
   }

@@ -74,8 +74,8 @@ TEST(ClosestOnTriangles, SideBySideAreTheBitsOfOneByOne) {
   for (int round = 0; round < 40000; ++round) {
     std::vector<TriangleRecord> records(20);
     for (TriangleRecord& record : records) record = anyTriangle(random);
-    const int count = 1 + static_cast<int>(random.below(kMostSideBySide));
-    std::array<Index, kMostSideBySide> which{};
+    const int count = 1 + static_cast<int>(random.below(kMaxSideBySide));
+    std::array<Index, kMaxSideBySide> which{};
     for (int i = 0; i < count; ++i) which[i] = static_cast<Index>(random.below(records.size()));
     const Vec3 place = placeNear(records[which[0]], random);
     ClosestSideBySide together;

@@ -15,10 +15,10 @@ namespace palpate::app {
 namespace {
 
 /// Shares of the stored energy; and N mm.
-constexpr double kMostShare = 1e-5;
-constexpr double kMostGivenNMm = 1e-5;
+constexpr double kMaxShare = 1e-5;
+constexpr double kMaxGivenNMm = 1e-5;
 /// Limit of the stability map where a run may start.
-constexpr double kMostPortEnergyMj = 0.01;
+constexpr double kMaxPortEnergyMj = 0.01;
 /// A rule whose error falls with the square gains a factor of four; mere rounding gains nothing.
 constexpr double kRounding = 1e-9;
 constexpr double kFourfold = 3.0;
@@ -46,8 +46,8 @@ struct LumpLoops {
 
 bool holds(const LumpLoops& loops) {
   const auto& [closed, held, stiffest] = loops;
-  return closed.worstShare() <= kMostShare && convergesQuadratically(closed) && held.given_back_n_mm <= kMostGivenNMm &&
-         held.oscillating == 0 && stiffest.oscillating == 0 && stiffest.port_energy_mj <= kMostPortEnergyMj;
+  return closed.worstShare() <= kMaxShare && convergesQuadratically(closed) && held.given_back_n_mm <= kMaxGivenNMm &&
+         held.oscillating == 0 && stiffest.oscillating == 0 && stiffest.port_energy_mj <= kMaxPortEnergyMj;
 }
 
 Json loopsJson(const LumpLoops& loops, std::uint64_t seed) {

@@ -14,7 +14,7 @@ namespace {
 /// Changes with the way in which bodies follow from settings, seed and answers.
 constexpr int kDrawingVersion = 1;
 /// Longer than any session: an upper bound for counts in a damaged file.
-constexpr std::size_t kMostOfAny = 1000;
+constexpr std::size_t kMaxOfAny = 1000;
 
 [[noreturn]] void wrongText(std::string_view what) {
   throw Error::inFile("lump session", fmt::format("its record has no {}", what));
@@ -40,7 +40,7 @@ bool truthIn(const Json& json, const char* key) {
 
 const Json& listIn(const Json& json, const char* key) {
   const auto found = json.find(key);
-  if (found == json.end() || !found->is_array() || found->size() > kMostOfAny) wrongText(key);
+  if (found == json.end() || !found->is_array() || found->size() > kMaxOfAny) wrongText(key);
   return *found;
 }
 

@@ -15,7 +15,7 @@ namespace palpate::lumps {
 
 namespace {
 
-constexpr std::size_t kMostTaxels = contact::kMaxTaxels * contact::kMaxTaxels;
+constexpr std::size_t kMaxCells = contact::kMaxTaxels * contact::kMaxTaxels;
 
 double normalForce(const contact::FingerOutput& felt) noexcept { return felt.force.dot(felt.normal); }
 
@@ -27,9 +27,9 @@ double computePatternChange(const contact::FingerOutput& with, const contact::Fi
   // almost nothing cannot be felt.
   constexpr double kFaint = 0.1;
   const std::size_t count = taxels * taxels;
-  if (count == 0 || count > kMostTaxels) return 0.0;
-  std::array<double, kMostTaxels> over;
-  std::array<double, kMostTaxels> beside;
+  if (count == 0 || count > kMaxCells) return 0.0;
+  std::array<double, kMaxCells> over;
+  std::array<double, kMaxCells> beside;
   const contact::PressurePad pad{.taxels = taxels};
   contact::pressureField(ground, lumps, with, pad, std::span(over).first(count));
   contact::pressureField(ground, nullptr, without, pad, std::span(beside).first(count));

@@ -154,7 +154,7 @@ void readExploration(const TomlNode& root, std::string_view file, ExplorationSet
 constexpr NumberRange kLumpDiameters{2.0, 25.0};
 constexpr NumberRange kLumpDepths{2.5, 40.0};
 constexpr NumberRange kLumpRatios{1.2, 1000.0};
-constexpr int kMostBodies = 200;
+constexpr int kMaxBodies = 200;
 
 void readGrades(const TomlTable& table, const char* key, lumps::Grades& grades, const NumberRange& range) {
   const TomlNode* node = table.node(key);
@@ -186,7 +186,7 @@ std::optional<lumps::LumpTask> readLumpTask(const TomlNode& root, std::string_vi
   table.read("mobile_share", task.mobile_share, {0.0, 1.0});
   table.read("mobility_mm_per_n", task.mobility_mm_per_n, {0.1, 100.0});
   table.read("empty_share", task.empty_share, {0.0, 0.9});
-  table.read("bodies", task.bodies, {1, kMostBodies});
+  table.read("bodies", task.bodies, {1, kMaxBodies});
   table.read("start_cue", task.start_cue, {0.1, 1000.0});
   table.read("pad_shown", task.pad_shown);
   table.read("mark_share", task.mark_share, {0.0, 1.0});

@@ -151,11 +151,11 @@ class TextStl {
 
   /// The normal is not used, whatever it is: "nan(ind)" of Windows, or missing.
   void passOverNormal() {
-    constexpr int kMostWords = 4;  // "normal" and three numbers
-    for (int words = 0; words <= kMostWords; ++words) {
+    constexpr int kMaxWords = 4;  // "normal" and three numbers
+    for (int words = 0; words <= kMaxWords; ++words) {
       const auto word = text_.wordAnywhere();
       if (isWord(word, "outer")) return;
-      if (word.empty() || words == kMostWords) text_.fail(fmt::format("'outer' is expected, not '{}'", shown(word)));
+      if (word.empty() || words == kMaxWords) text_.fail(fmt::format("'outer' is expected, not '{}'", shown(word)));
     }
   }
 

@@ -139,8 +139,8 @@ int openForWriting(const fs::path& file) {
 }
 
 std::ptrdiff_t writeSome(int descriptor, std::string_view bytes) {
-  constexpr std::size_t kMost = 1u << 30;
-  return ::_write(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), kMost)));
+  constexpr std::size_t kMaxBytes = 1u << 30;
+  return ::_write(descriptor, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), kMaxBytes)));
 }
 
 bool flush(int descriptor) { return ::_commit(descriptor) == 0 || errno == EBADF; }

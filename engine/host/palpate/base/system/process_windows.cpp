@@ -76,8 +76,8 @@ int waitForExitCode(const PROCESS_INFORMATION& child) {
   const bool ended = ::GetExitCodeProcess(child.hProcess, &answer) != 0;
   ::CloseHandle(child.hThread);
   ::CloseHandle(child.hProcess);
-  constexpr DWORD kMost = 0x7fffffff;
-  return ended ? static_cast<int>(answer & kMost) : -1;
+  constexpr DWORD kMaxExitCode = 0x7fffffff;
+  return ended ? static_cast<int>(answer & kMaxExitCode) : -1;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ namespace {
 constexpr double kFelt = 0.01;
 /// On the skin and through the finger, which stays visible where the pressure is low.
 constexpr double kLeastOpacity = 0.25;
-constexpr double kMostOpacity = 0.9;
+constexpr double kMaxOpacity = 0.9;
 constexpr Paint kPadRimPaint = {kPadPaint[0], kPadPaint[1], kPadPaint[2], 220};
 
 PadReading readingOf(const scene::World& world, const contact::PressureGround& ground, const FingerMark& finger,
@@ -118,9 +118,8 @@ void addPad(const PadReading& reading, double top_kpa, const scene::World& world
       const bool whole = std::all_of(at.begin(), at.end(), [&](std::size_t i) { return corners[i].has_value(); });
       if (!whole || share < kFelt) continue;
       const ColourBytes heat = heatColour(share);
-      patches.addQuad(
-          {*corners[at[0]], *corners[at[1]], *corners[at[2]], *corners[at[3]]},
-          faded({heat[0], heat[1], heat[2], 255}, std::lerp(kLeastOpacity, kMostOpacity, std::sqrt(share))));
+      patches.addQuad({*corners[at[0]], *corners[at[1]], *corners[at[2]], *corners[at[3]]},
+                      faded({heat[0], heat[1], heat[2], 255}, std::lerp(kLeastOpacity, kMaxOpacity, std::sqrt(share))));
     }
   }
   for (std::size_t i = 0; i < n; ++i) {

@@ -18,8 +18,8 @@ constexpr float kPlatePad = 8.0f;
 constexpr float kPadStripe = 3.0f;  ///< in the finger's colour, at the left edge
 constexpr float kHeatBar = 9.0f;
 constexpr float kBarNumbers = 30.0f;
-constexpr float kPadWords = 18.0f;       ///< a line of text above, and one below
-constexpr std::size_t kMostNumbers = 4;  ///< along a side: smaller taxels have no room for theirs
+constexpr float kPadWords = 18.0f;            ///< a line of text above, and one below
+constexpr std::size_t kMaxNumbersAcross = 4;  ///< along a side: smaller taxels have no room for theirs
 
 struct PadPlate {
   Vec2f corner;  ///< upper left
@@ -48,7 +48,7 @@ void drawTaxels(Drawing& page, const PadReading& reading, double top_kpa, const 
     const Vec2f corner = plate.square() + cell * Vec2f(static_cast<float>(i % n), static_cast<float>(row));
     const double share = reading.kpa[i] / top_kpa;
     page.box(corner, corner + Vec2f::Constant(cell), Ink{heatColour(share)});
-    if (n > kMostNumbers || reading.kpa[i] < 0.5) continue;
+    if (n > kMaxNumbersAcross || reading.kpa[i] < 0.5) continue;
     page.text(corner + Vec2f(0.5f * cell, 0.5f * cell - half_line), fmt::format("{:.0f}", reading.kpa[i]),
               numberInk(share), Align::centre, TextSize::small);
   }

@@ -70,7 +70,7 @@ FormPrior formPrior(FieldForm form) {
 
 // The peak lies between the dots, under the stick, and a long tail's core is narrow: the unseen part is bounded,
 // softly.
-constexpr double kPeakMostMm = 30.0;   // skin is not dragged farther
+constexpr double kMaxPeakMm = 30.0;    // skin is not dragged farther
 constexpr double kPeakOverSeen = 3.0;  // times the largest motion: no core is narrower than stick and skin make it
 constexpr double kPeakSd = 0.1;        // share of that bound
 constexpr double kPressedFarSd =
@@ -203,7 +203,7 @@ struct Normal {
 struct Prior {
   FieldForm form = FieldForm::smooth;
   DriftPrior drift;
-  double peak_mm = kPeakMostMm;
+  double peak_mm = kMaxPeakMm;
 };
 
 void addPrior(const FieldNumbers& n, const Prior& prior, Normal& normal) {
@@ -369,7 +369,7 @@ FieldNumbers estimateStart(std::span<const FieldDatum> data, double tail, double
 Prior makePrior(std::span<const FieldDatum> data, const DriftPrior& drift, FieldForm form) {
   double seen = 0.0;
   for (const FieldDatum& datum : data) seen = std::max(seen, datum.moved_mm.norm());
-  return {form, drift, std::clamp(kPeakOverSeen * seen, 1.0, kPeakMostMm)};
+  return {form, drift, std::clamp(kPeakOverSeen * seen, 1.0, kMaxPeakMm)};
 }
 
 /// Where the skin is seen at a grazing angle a pixel is many millimetres.

@@ -42,7 +42,7 @@ ObserverSettings observerNamed(std::string_view words);
 /// The same settings as words that observerNamed understands, for records.
 std::string formatObserver(const ObserverSettings& settings);
 
-/// One who sits with lumps (lump_trainee.h): how plainly each has to be felt is LumpObserver's.
+/// A simulated trainee of lump sessions (lump_trainee.h); LumpObserver says how plainly it has to feel each lump.
 struct LumpTraineeSettings : lumps::LumpObserver {
   double false_alarms = 0.05;  ///< names a place in a body for nothing
   double press_n = 3.0;
@@ -50,7 +50,7 @@ struct LumpTraineeSettings : lumps::LumpObserver {
   std::uint64_t seed = 1;
 };
 
-/// Whether words ask for such a one: they have observer=lump among them.
+/// True if the words contain observer=lump.
 bool isLumpTrainee(std::string_view words);
 /// "observer=lump,pattern_weber=0.036,force_weber=0.08,spread=3.4,field=true". Throws Error naming the key.
 LumpTraineeSettings lumpTraineeNamed(std::string_view words);

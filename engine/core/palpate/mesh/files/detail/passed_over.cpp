@@ -12,9 +12,9 @@ void PassedOver::add(std::string_view what, std::size_t place, FilePlace kind) {
   const auto known = std::find_if(kinds_.begin(), kinds_.end(), [what](const Kind& k) { return k.what == what; });
   if (known != kinds_.end()) {
     ++known->count;
-  } else if (kinds_.size() < kMostKinds) {
+  } else if (kinds_.size() < kMaxKinds) {
     kinds_.push_back({std::string(what), place, kind});
-  } else if (kinds_.size() == kMostKinds) {
+  } else if (kinds_.size() == kMaxKinds) {
     kinds_.push_back({"and more that is skipped", place, kind});
   } else {
     ++kinds_.back().count;
@@ -26,7 +26,7 @@ void PassedOver::leaveOut(std::string_view what, std::size_t count) {
       std::find_if(left_out_.begin(), left_out_.end(), [&](const auto& one) { return one.first == what; });
   if (known != left_out_.end()) {
     known->second += count;
-  } else if (left_out_.size() < kMostKinds) {
+  } else if (left_out_.size() < kMaxKinds) {
     left_out_.emplace_back(what, count);
   }
 }

@@ -18,10 +18,10 @@ enum class FilePlace : std::uint8_t { line, byte };
 class PassedOver {
  public:
   /// `what` is one of a reader's few sentences, so a row costs a handful of comparisons. For a file with ever new ones
-  /// (words of its own) kMostKinds of them are reported.
+  /// (words of its own) kMaxKinds of them are reported.
   void add(std::string_view what, std::size_t place, FilePlace kind = FilePlace::line);
 
-  /// Shape in the file that the mesh leaves out, by its name: points, lines, curved surfaces. At most kMostKinds of a
+  /// Shape in the file that the mesh leaves out, by its name: points, lines, curved surfaces. At most kMaxKinds of a
   /// file's own names are reported.
   void leaveOut(std::string_view what, std::size_t count = 1);
 
@@ -32,7 +32,7 @@ class PassedOver {
   /// one of all that is left out.
   std::vector<std::string> sentences(std::string_view file) const;
 
-  static constexpr std::size_t kMostKinds = 12;
+  static constexpr std::size_t kMaxKinds = 12;
 
  private:
   struct Kind {

@@ -21,7 +21,7 @@ namespace palpate::mesh {
 namespace {
 
 /// A surface of least area costs the cube of its corners.
-constexpr std::size_t kMostGuessed = 64;
+constexpr std::size_t kMaxGuessed = 64;
 /// Corners that deviate from a line by less than this share of its length are on it.
 constexpr double kFlat = 1e-12;
 
@@ -131,7 +131,7 @@ bool isOnALine(const std::vector<Vec3>& positions, std::span<const Index> polygo
 
 /// Its surface of least area, where it is small enough for that.
 PolygonCut guess(const std::vector<Vec3>& positions, std::span<const Index> polygon, std::vector<Triangle>& triangles) {
-  if (polygon.size() > kMostGuessed) return PolygonCut::impossible;
+  if (polygon.size() > kMaxGuessed) return PolygonCut::impossible;
   std::vector<Vec3> loop;
   for (const Index v : polygon) loop.push_back(positions[v]);
   const auto filling = triangulateLoop(loop, [](Index, Index) { return true; });
