@@ -1,3 +1,5 @@
+// Both work on columns, which lie in a row in memory, and add each sum from the front: the order of additions is the
+// code's, not the processor's. Signs of the reflections avoid cancellation (Golub and Van Loan, 5.1.3).
 #include "palpate/base/dense_solve.h"
 
 #include <cmath>

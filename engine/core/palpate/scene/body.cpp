@@ -1,3 +1,5 @@
+// Parts of a body -> contact geometry, deformable skin, planes for the SIMD search, blocks in the map plane. The skin
+// is built on its own thread: it takes a quarter of the time that the contact geometry takes.
 #include "palpate/scene/body.h"
 
 #include <fmt/format.h>

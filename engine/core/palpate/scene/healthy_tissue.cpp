@@ -1,3 +1,7 @@
+// Stiffness by its source (depth of the bone, key points or a constant), its variation, then dysfunctions over it,
+// block by block: skin is in blocks with boxes in the map plane, and only blocks that a dysfunction reaches are
+// computed again. Each block keeps its steepest place: a world notes where its map is too steep for one tick
+// (world.cpp).
 #include "palpate/scene/healthy_tissue.h"
 
 #include <fmt/format.h>

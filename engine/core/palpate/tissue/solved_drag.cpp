@@ -1,3 +1,5 @@
+// Solved curves -> a dragged place: knots are even in ln(1 + rho^2), so that they are dense at the contact; between
+// knots the curve of Catmull and Rom (1974), whose slope is continuous, between stacks linear in the tail.
 #include "palpate/tissue/solved_drag.h"
 
 #include <algorithm>

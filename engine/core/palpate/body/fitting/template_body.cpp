@@ -1,3 +1,5 @@
+// Each place moves out by what one unit of fat and of muscle add there, times the build, but never into the bone; then
+// the warp of the trunk's shape moves skin and bones alike (trunk_shape.h).
 #include "palpate/body/fitting/template_body.h"
 
 #include <cmath>

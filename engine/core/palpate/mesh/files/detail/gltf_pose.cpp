@@ -1,3 +1,6 @@
+// Two walks over the nodes: that of the scene shows meshes, that of all nodes places joints, which may hang outside of
+// the scene. A joint's motion is its place times its inverse bind matrix; read_gltf.cpp blends them by a vertex's
+// weights.
 #include "palpate/mesh/files/detail/gltf_pose.h"
 
 #include <algorithm>
