@@ -77,7 +77,7 @@ struct RunOptions {
   bool keys = false;
 };
 
-viewer::StateReading remembered(const RunOptions& options) {
+viewer::StateReading readRememberedState(const RunOptions& options) {
   return options.no_state ? viewer::StateReading{} : viewer::readState(viewer::stateFile());
 }
 
@@ -287,7 +287,7 @@ void followStartPage(const Opening& opening, const RunOptions& options) {
 
 void runWindow(const RunOptions& options) {
   const auto started = Clock::now();
-  const viewer::StateReading state = remembered(options);
+  const viewer::StateReading state = readRememberedState(options);
   const std::string remembered_language = state.remembered ? state.remembered->state.language : std::string();
   useLanguage(options.language.empty() ? remembered_language : options.language);
   Playback playback(options.play);

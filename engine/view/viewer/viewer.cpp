@@ -201,7 +201,7 @@ void Viewer::processSamples() {
   trace::Sample sample;
   while (servo_.thread().pop(sample)) {
     outputs_.addSample(sample);
-    devices_.felt(sample);
+    devices_.noteInterventions(sample);
     for (const auto& mode : modes_) mode->feel(sample);
     if (past_.replay.frozen) continue;  // a frozen moment stays
     past_.plot(sample, holders_.device_limit_n);

@@ -93,7 +93,7 @@ Range colourRange(const Field& field) {
   return range;
 }
 
-int most(double length_px, double pitch_px) { return std::max(2, static_cast<int>(length_px / pitch_px)); }
+int maxTicks(double length_px, double pitch_px) { return std::max(2, static_cast<int>(length_px / pitch_px)); }
 
 // Shrinks the frame about its centre until both axes have the same pixels a unit.
 void equaliseAspect(PlotLayout& layout) {
@@ -132,8 +132,8 @@ double rightMargin(const Plot& plot, const PlotLayout& layout, const Canvas& can
 }
 
 void layoutTicks(const Plot& plot, PlotLayout& layout, const Rect& room) {
-  int most_x = most(room.width() * 0.8, kTickPitchX);
-  const int most_y = most(room.height() * 0.75, kTickPitchY);
+  int most_x = maxTicks(room.width() * 0.8, kTickPitchX);
+  const int most_y = maxTicks(room.height() * 0.75, kTickPitchY);
   layout.x = {shownRange(plot, 0, most_x), plot.x.scale};
   layout.y = {shownRange(plot, 1, most_y), plot.y.scale};
   layout.x_ticks = chooseTicks(plot.x, layout.x.range, most_x);

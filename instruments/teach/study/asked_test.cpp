@@ -212,7 +212,7 @@ Psychometric usualTrainee(double threshold, int choices) {
   return {.threshold = threshold, .slope = choices == 2 ? 1.24 : 1.8, .lapse = 0.02, .guess = 1.0 / choices};
 }
 
-Posterior believed(const std::vector<Answer>& answers, int choices) {
+Posterior posteriorAfter(const std::vector<Answer>& answers, int choices) {
   Posterior posterior(choices);
   for (const Answer& answer : answers) posterior.add(answer);
   return posterior;

@@ -53,7 +53,7 @@ AskedTest askedTest(AskedBy method, const training::Psychometric& trainee, int t
 training::Psychometric usualTrainee(double threshold, int choices = 12);
 
 /// Posterior after all answers.
-training::Posterior believed(const std::vector<training::Answer>& answers, int choices = 12);
+training::Posterior posteriorAfter(const std::vector<training::Answer>& answers, int choices = 12);
 
 /// Runs `work(i)` for every i below `count`, on two threads where there are two. Rethrows its exceptions.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work);

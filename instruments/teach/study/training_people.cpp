@@ -70,7 +70,7 @@ LearningErrors learningErrors(const std::vector<SessionAnswers>& sessions) {
   for (std::size_t session = 1; session < sessions.size(); ++session) {
     const double truth = truthOfSession(static_cast<int>(session));
     const double filtered = std::log(points[session].threshold.median / truth);
-    const double separate = std::log(believed(sessions[session].answers).summary().median / truth);
+    const double separate = std::log(posteriorAfter(sessions[session].answers).summary().median / truth);
     errors.filtered += filtered * filtered / (kSessions - 1);
     errors.separate += separate * separate / (kSessions - 1);
     errors.bias += filtered / (kSessions - 1);
@@ -120,7 +120,7 @@ GroupRun drawnGroupRun(std::size_t people, std::uint64_t seed) {
 
 std::vector<double> posteriorMedians(const std::vector<std::vector<Answer>>& people) {
   std::vector<double> medians;
-  for (const auto& answers : people) medians.push_back(believed(answers).summary().median);
+  for (const auto& answers : people) medians.push_back(posteriorAfter(answers).summary().median);
   return medians;
 }
 
@@ -230,7 +230,7 @@ void measureChanges(TrainingMeasurement& found, const Progress& progress) {
     parallelFor(kPeople, [&](std::size_t i) {
       const std::uint64_t seed = runSeed(found.plan.seed, cellNumber(TrainingPart::changes, cell), i);
       const auto result = [&](double truth, std::uint64_t part) {
-        return believed(simulateAnswers(truth, trials, seed + part)).summary();
+        return posteriorAfter(simulateAnswers(truth, trials, seed + part)).summary();
       };
       const double unchanged = i % 2 == 0 ? kBefore : kAfter;
       const auto change = [&](const ThresholdSummary& before, const ThresholdSummary& after) {

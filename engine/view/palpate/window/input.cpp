@@ -15,7 +15,7 @@ constexpr double kFineNotch = 0.2;
 
 Command at(Command::Kind kind, const Vec2& place) { return {.kind = kind, .at = place}; }
 
-Command by(Command::Kind kind, const Vec2& place, double amount) {
+Command commandWith(Command::Kind kind, const Vec2& place, double amount) {
   Command command = at(kind, place);
   command.amount = amount;
   return command;
@@ -57,7 +57,7 @@ void Input::move(const InputEvent& event, const Situation& situation, std::vecto
     return;
   }
   if (depth_drag_) {
-    commands.push_back(by(Command::Kind::deepen, event.at, moved.y() / kDepthDragPixels));
+    commands.push_back(commandWith(Command::Kind::deepen, event.at, moved.y() / kDepthDragPixels));
     return;
   }
   static constexpr Command::Kind kKinds[] = {Command::Kind::hover, Command::Kind::slide, Command::Kind::orbit,
@@ -154,13 +154,14 @@ void Input::scroll(const InputEvent& event, const Situation& situation, std::vec
   if (situation.over_gui && drag_ == Drag::none) return;
   if (situation.editing) {
     const auto kind = event.modifiers.shift ? Command::Kind::edit_strength : Command::Kind::edit_size;
-    commands.push_back(by(kind, event.at, event.notches));
+    commands.push_back(commandWith(kind, event.at, event.notches));
   } else if (pressed_[active_]) {
     // Towards the user is deeper, like pushing a finger down.
     commands.push_back(
-        by(Command::Kind::deepen, event.at, -event.notches * (event.modifiers.shift ? kFineNotch : 1.0)));
+        commandWith(Command::Kind::deepen, event.at, -event.notches * (event.modifiers.shift ? kFineNotch : 1.0)));
   } else {
-    commands.push_back(by(Command::Kind::zoom, event.at, settings.invert_zoom ? -event.notches : event.notches));
+    commands.push_back(
+        commandWith(Command::Kind::zoom, event.at, settings.invert_zoom ? -event.notches : event.notches));
   }
 }
 
@@ -182,7 +183,7 @@ void Input::act(const PressedKey& pressed, const Situation& situation, std::vect
     case Action::deeper:
     case Action::lighter: {
       const double notch = pressed.fine ? kFineNotch : 1.0;
-      commands.push_back(by(Command::Kind::deepen, last_, pressed.action == Action::deeper ? notch : -notch));
+      commands.push_back(commandWith(Command::Kind::deepen, last_, pressed.action == Action::deeper ? notch : -notch));
       return;
     }
     case Action::take_left_finger:

@@ -19,7 +19,7 @@ constexpr double kTendedEveryS = 1.0;
 /// For the list of messages: the banner is over the picture.
 constexpr const char* kStopped = toTranslate("Emergency stop: no device gets a force");
 
-BackEndFound found(const device::BackEnd& back_end) {
+BackEndFound describeBackEnd(const device::BackEnd& back_end) {
   const device::Probe probe = back_end.probe({});
   return {.name = std::string(back_end.name),
           .about = std::string(back_end.about),
@@ -185,7 +185,7 @@ void DeviceControl::lookForBackEnds() {
                        .available = true,
                        .devices = {tr("in use here")}});
       } else {
-        all.push_back(found(back_end));
+        all.push_back(describeBackEnd(back_end));
       }
     }
     return all;
@@ -254,7 +254,7 @@ void DeviceControl::tend() {
   if (tending_.start(look)) tended_s_ = user_.now_s;
 }
 
-void DeviceControl::felt(const trace::Sample& sample) {
+void DeviceControl::noteInterventions(const trace::Sample& sample) {
   if (!servo_.isHeld(sample.finger)) return;
   holders_.devices.fingers[sample.finger].interventions.add(sample.safety, user_.now_s);
   Look& look = looks_[sample.finger];

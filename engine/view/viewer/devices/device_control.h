@@ -41,7 +41,7 @@ class DeviceControl {
   /// Returns true if the event was only the emergency stop's or the clutch's. The stop works in every state.
   bool handle(const window::InputEvent& event, bool text_wanted);
   /// One tick of a finger.
-  void felt(const trace::Sample& sample);
+  void noteInterventions(const trace::Sample& sample);
   /// Once a frame, before changes of the scene take effect.
   void advance(std::size_t& active_finger, const scene::World& world);
   /// Another body, or a scene read: devices without a place are put next to it.

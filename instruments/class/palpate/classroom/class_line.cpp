@@ -5,7 +5,7 @@
 
 namespace palpate::classroom {
 
-void ClassLine::felt(const trace::Sample& sample) {
+void ClassLine::update(const trace::Sample& sample) {
   const bool newer = sample.tick > pressing_.tick;
   if (newer || sample.contact.force.norm() > pressing_.contact.force.norm()) pressing_ = sample;
 }

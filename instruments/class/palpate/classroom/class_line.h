@@ -17,7 +17,7 @@ class ClassLine {
   /// The store must outlive it. Throws Error.
   ClassLine(const Member& member, training::Store& store, const StationInfo& info) : link_(member, store, info) {}
 
-  void felt(const trace::Sample& sample);
+  void update(const trace::Sample& sample);
   /// Call once a frame; null: no trainee is signed in.
   void follow(const training::Session* session);
   void publishSafety(const std::string& words) { link_.publishSafety(words); }

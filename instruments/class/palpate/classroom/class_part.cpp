@@ -15,7 +15,7 @@ namespace {
 
 training::ClassLink connectStation(const Member& member, training::Store& store, const StationInfo& info) {
   const auto line = std::make_shared<ClassLine>(member, store, info);
-  return {.felt = [line](const trace::Sample& sample) { line->felt(sample); },
+  return {.felt = [line](const trace::Sample& sample) { line->update(sample); },
           .follow = [line](const training::Session* session) { line->follow(session); },
           .publishSafety = [line](const std::string& words) { line->publishSafety(words); },
           .popCommand = [line] { return line->popCommand(); }};

@@ -129,7 +129,7 @@ void HuntOracle::judgeForceStep(const contact::FingerOutput& o) {
   const double bound =
       kStepShare * stiffness_ * (kProxyAndTip * motion + settings_.catch_up_mm_per_s * settings_.tick_s);
   const double step = (o.force - last_force_).norm();
-  if (step > bound + force_tolerance_) found(Fault::step, "force step, N", step, bound);
+  if (step > bound + force_tolerance_) reportFault(Fault::step, "force step, N", step, bound);
 }
 
 /// Inside from the side of a ball's centre, where the ball still holds the point; else asked again.
@@ -155,9 +155,9 @@ void HuntOracle::judgeFree(const contact::FingerOutput& o) {
   }
   if (exempt_) return;
   if (past_ == Past::outside)
-    found(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
+    reportFault(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
   if (past_ != Past::unknown) {
-    found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
+    reportFault(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
     past_ = Past::fallen;
   }
 }
@@ -172,7 +172,7 @@ bool HuntOracle::isBackOfFold(const Vec3& point) {
 void HuntOracle::judgeOverlap(const Vec3& tip, double distance, bool from_outside) {
   const double least = settings_.radius_mm * (1.0 - kOverlapShare);
   if (from_outside && distance < least && !isBackOfFold(tip))
-    found(Fault::missed_contact, "distance of a free sphere's centre from the skin, mm", distance, least);
+    reportFault(Fault::missed_contact, "distance of a free sphere's centre from the skin, mm", distance, least);
 }
 
 bool HuntOracle::isFarFromBorder(const Vec3& place, double reach) {
@@ -234,8 +234,8 @@ std::optional<Vec3> HuntOracle::afloatAt(const contact::FingerOutput& o) const {
 void HuntOracle::judgeAfloat(const contact::FingerOutput& o) {
   const std::optional<Vec3> centre = afloatAt(o);
   if (centre && wasHeldFarFromBorder(o.tip))
-    found(Fault::wrong_force, "distance of a border from where a sphere left the skin over it, mm",
-          body_.slow().distanceToBorder(last_proxy_), 0.0);
+    reportFault(Fault::wrong_force, "distance of a border from where a sphere left the skin over it, mm",
+                body_.slow().distanceToBorder(last_proxy_), 0.0);
   if (centre && body_.inside(*centre) && body_.inside(o.tip)) exempt_ = true;  // both came in by an opening
   last_afloat_ = centre;
 }
@@ -254,7 +254,7 @@ void HuntOracle::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   const bool was_out = past_ == Past::outside || (was_afloat && !body_.inside(*was_afloat));
   const bool came_through = !first_ && was_out && hasPassedThroughSkin(o.tip);
   if (came_through && (inside || (settings_.radius_mm == 0.0 && !hasLeftFold(o.tip))))
-    found(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
+    reportFault(Fault::missed_contact, "depth of a tip that came in without force, mm", distance, 0.0);
   if (!inside) {
     judgeOverlapBesideBorder(o, distance);
     past_ = Past::outside;
@@ -263,7 +263,7 @@ void HuntOracle::judgeFreeBesideBorder(const contact::FingerOutput& o) {
   }
   if (came_through || let_go || past_ == Past::fallen) {
     past_ = Past::fallen;
-    found(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
+    reportFault(Fault::fall, "depth of a free tip inside, mm", distance, 0.0);
     return;
   }
   past_ = Past::unknown;
@@ -282,7 +282,7 @@ void HuntOracle::judgeTouching(const contact::FingerOutput& o) {
   if (past_ == Past::outside && body_.closed() && settings_.radius_mm == 0.0 && !has_force) {
     const double depth = body_.nearest(o.tip).distance;
     if (depth > body_.tolerance() && body_.inside(o.tip))
-      found(Fault::missed_contact, "depth of a tip that came in without force, mm", depth, 0.0);
+      reportFault(Fault::missed_contact, "depth of a tip that came in without force, mm", depth, 0.0);
   }
   if (exempt_ && !isOnItsWay(o.status) && body_.winding(o.tip) <= kBeyondAnOpening) exempt_ = false;
   const bool is_finite = std::isfinite(o.force.sum() + o.proxy.sum() + o.normal.sum() + o.depth_mm);
@@ -290,7 +290,7 @@ void HuntOracle::judgeTouching(const contact::FingerOutput& o) {
   last_reach_ = (o.proxy + settings_.radius_mm * o.normal - o.tip).norm() + settings_.radius_mm;
   past_ = Past::held;
   if (!is_finite) {
-    found(Fault::wrong_force, "a number that is not finite", 0.0, 0.0);
+    reportFault(Fault::wrong_force, "a number that is not finite", 0.0, 0.0);
     return;
   }
   if (isOnItsWay(o.status)) return;
@@ -338,7 +338,7 @@ void HuntOracle::judgeHeldInAir(const contact::FingerOutput& o) {
   if (isSkinBetween(o.proxy + kOffTheProxy * (o.tip - o.proxy), o.tip)) {
     ++report_.held_through_ticks;
   } else {
-    found(Fault::held_in_air, "force on a tip in free air, N", o.force.norm(), 0.0);
+    reportFault(Fault::held_in_air, "force on a tip in free air, N", o.force.norm(), 0.0);
   }
 }
 
@@ -347,9 +347,9 @@ void HuntOracle::judgeForce(const contact::FingerOutput& o) {
   const double tangential = (o.force - normal * o.normal).norm();
   const double most = settings_.mu_static * std::max(normal, 0.0) * (1.0 + kConeRounding) + force_tolerance_;
   if (normal < -force_tolerance_)
-    found(Fault::wrong_force, "force along the finger's normal, N", normal, 0.0);
+    reportFault(Fault::wrong_force, "force along the finger's normal, N", normal, 0.0);
   else if (tangential > most)
-    found(Fault::wrong_force, "friction, N", tangential, most);
+    reportFault(Fault::wrong_force, "friction, N", tangential, most);
 }
 
 void HuntOracle::judgePoint(const contact::FingerOutput& o) {
@@ -361,12 +361,13 @@ void HuntOracle::judgePoint(const contact::FingerOutput& o) {
       named ? (nearestOnTriangle(tree.corners(tree.slotOf(o.triangle)), o.proxy) - o.proxy).norm() : body_.diagonal();
   if (off > tolerance) {
     const double distance = body_.nearest(o.proxy).distance;
-    if (distance > tolerance) found(Fault::wrong_force, "distance of the proxy from the skin, mm", distance, tolerance);
+    if (distance > tolerance)
+      reportFault(Fault::wrong_force, "distance of the proxy from the skin, mm", distance, tolerance);
   }
   if (body_.selfIntersecting()) return;
   if (named && o.force.dot(body_.triangleNormal(o.triangle)) >= -force_tolerance_) return;
   if (pullsFromAll(o.force, o.proxy, 10.0 * tolerance, true))
-    found(Fault::wrong_force, "force into every triangle at the proxy, N", o.force.norm(), 0.0);
+    reportFault(Fault::wrong_force, "force into every triangle at the proxy, N", o.force.norm(), 0.0);
 }
 
 void HuntOracle::judgeSphere(const contact::FingerOutput& o) {
@@ -375,12 +376,12 @@ void HuntOracle::judgeSphere(const contact::FingerOutput& o) {
   const Vec3 centre = o.proxy + radius * o.normal;
   const NearPoint near = body_.nearest(centre);
   if (near.distance <= body_.tolerance()) {
-    found(Fault::wrong_force, "distance of a touching sphere's centre from the skin, mm", near.distance, least);
+    reportFault(Fault::wrong_force, "distance of a touching sphere's centre from the skin, mm", near.distance, least);
     return;
   }
   if (body_.closed()) {
     if (insideBall(centre, near.distance, centre_ball_) && !exempt_) {
-      found(Fault::wrong_force, "depth of a touching sphere's centre inside, mm", near.distance, 0.0);
+      reportFault(Fault::wrong_force, "depth of a touching sphere's centre inside, mm", near.distance, 0.0);
       return;
     }
     if (exempt_) return;
@@ -392,9 +393,9 @@ void HuntOracle::judgeSphere(const contact::FingerOutput& o) {
   }
   if (near.distance < least && isBackOfFold(centre)) return;
   if (near.distance < least)
-    found(Fault::wrong_force, "distance of a touching sphere's centre from the skin, mm", near.distance, least);
+    reportFault(Fault::wrong_force, "distance of a touching sphere's centre from the skin, mm", near.distance, least);
   else if (o.force.dot(centre - near.point) < 0.0 && pullsFromAll(o.force, centre, radius * (1.0 + kSinkShare), false))
-    found(Fault::wrong_force, "force towards every foot of the sphere, N", o.force.norm(), 0.0);
+    reportFault(Fault::wrong_force, "force towards every foot of the sphere, N", o.force.norm(), 0.0);
 }
 
 bool HuntOracle::pullsFromAll(const Vec3& force, const Vec3& place, double reach, bool by_normal) {
@@ -408,7 +409,7 @@ bool HuntOracle::pullsFromAll(const Vec3& force, const Vec3& place, double reach
   return !nearby_.empty();
 }
 
-void HuntOracle::found(Fault fault, const char* what, double measured, double bound) {
+void HuntOracle::reportFault(Fault fault, const char* what, double measured, double bound) {
   const auto kind = static_cast<std::size_t>(fault);
   if (std::exchange(last_found_[kind], tick_ + 1) == tick_ + 1) return;
   Finding& finding = report_.findings[kind];

@@ -140,7 +140,7 @@ class HuntOracle {
   /// A push out of any of the surface's nearest features is right.
   bool pullsFromAll(const Vec3& force, const Vec3& place, double reach, bool by_normal);
   bool insideBall(const Vec3& point, double distance, ClearBall& ball);
-  void found(Fault fault, const char* what, double measured, double bound);
+  void reportFault(Fault fault, const char* what, double measured, double bound);
 
   OracleBody& body_;
   contact::FingerSettings settings_;

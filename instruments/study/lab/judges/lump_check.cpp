@@ -69,13 +69,14 @@ void LumpCheck::moved(const contact::LumpPlaces& before, const contact::LumpPlac
     shifted_mm_ = std::max(shifted_mm_, moved_mm);
     const double most = mobility.moves() ? kLongestMoveMm : 0.0;
     if (!(moved_mm <= most + kEnergyRounding))
-      found(Fault::lump_moved, "a lump's motion in a tick, mm", moved_mm, most);
+      reportFault(Fault::lump_moved, "a lump's motion in a tick, mm", moved_mm, most);
     const double away = after.moved_mm[i].norm();
     if (away > mobility.limit_mm + kEnergyRounding)
-      found(Fault::lump_moved, "a lump's distance from its place, mm", away, mobility.limit_mm);
+      reportFault(Fault::lump_moved, "a lump's distance from its place, mm", away, mobility.limit_mm);
   }
   const double gained = energyOf(lumps_, after, presses) - energyOf(lumps_, before, presses);
-  if (!(gained <= kEnergyRounding)) found(Fault::lump_moved, "energy that a lump's motion made, N mm", gained, 0.0);
+  if (!(gained <= kEnergyRounding))
+    reportFault(Fault::lump_moved, "energy that a lump's motion made, N mm", gained, 0.0);
 }
 
 void LumpCheck::add(std::size_t finger, const contact::LumpPress& press, const contact::LumpPlaces& places,
@@ -92,12 +93,12 @@ void LumpCheck::judgeForce(const contact::LumpPress& press, const contact::LumpP
                            const contact::FingerOutput& felt) {
   constexpr double kStepMm = 1e-4;
   if (!felt.lump_force.allFinite()) {
-    found(Fault::lump_force, "force of lumps that is not finite, N", felt.lump_force.norm(), 0.0);
+    reportFault(Fault::lump_force, "force of lumps that is not finite, N", felt.lump_force.norm(), 0.0);
     return;
   }
   if (felt.touch == contact::Touch::free) {
     if (!felt.lump_force.isZero(0.0))
-      found(Fault::lump_force, "force of lumps on a free finger, N", felt.lump_force.norm(), 0.0);
+      reportFault(Fault::lump_force, "force of lumps on a free finger, N", felt.lump_force.norm(), 0.0);
     return;
   }
   if (press.depth_mm < 2.0 * kStepMm || !facesAll(lumps_, places, press)) return;
@@ -116,7 +117,7 @@ void LumpCheck::judgeForce(const contact::LumpPress& press, const contact::LumpP
   // Splines bend at their knots, and a difference over one is off by as much.
   const double bound = kLumpRounding + 2.0 * kStepMm * steepest_n_per_mm_;
   const double off = (felt.lump_force - press.share * expected).norm();
-  if (!(off <= bound)) found(Fault::lump_force, "force of lumps beside the slope of their energy, N", off, bound);
+  if (!(off <= bound)) reportFault(Fault::lump_force, "force of lumps beside the slope of their energy, N", off, bound);
 }
 
 void LumpCheck::judgeForceStep(const Last& last, const contact::FingerOutput& felt) {
@@ -124,10 +125,10 @@ void LumpCheck::judgeForceStep(const Last& last, const contact::FingerOutput& fe
   const double motion_mm = 3.0 * (felt.tip - last.tip).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
   const double bound = kLoose * steepest_n_per_mm_ * (motion_mm + shifted_mm_) + kLumpRounding;
   const double step = (felt.lump_force - last.force).norm();
-  if (!(step <= bound)) found(Fault::lump_step, "step of the lumps' force, N", step, bound);
+  if (!(step <= bound)) reportFault(Fault::lump_step, "step of the lumps' force, N", step, bound);
 }
 
-void LumpCheck::found(Fault fault, const char* what, double measured, double bound) {
+void LumpCheck::reportFault(Fault fault, const char* what, double measured, double bound) {
   Finding& finding = findings_[static_cast<std::size_t>(fault)];
   if (finding.ticks > 0 && finding.first_tick + 1 == tick_) return;  // it counts once a tick
   if (finding.ticks == 0) {

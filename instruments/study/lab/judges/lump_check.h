@@ -33,7 +33,7 @@ class LumpCheck {
   void judgeForce(const contact::LumpPress& press, const contact::LumpPlaces& places,
                   const contact::FingerOutput& felt);
   void judgeForceStep(const Last& last, const contact::FingerOutput& felt);
-  void found(Fault fault, const char* what, double measured, double bound);
+  void reportFault(Fault fault, const char* what, double measured, double bound);
 
   const contact::Lumps& lumps_;
   contact::FingerSettings settings_;

@@ -131,7 +131,7 @@ using std::numbers::pi;
 double height(PathWriter& w) { return 1.01 * w.radius + w.mm * anySize(w.random, 0.5, 15); }
 
 /// Into the skin, mostly along the normal, now and then far off it.
-Vec3 inwards(PathWriter& w, const SkinSpot& place) {
+Vec3 inwardDirection(PathWriter& w, const SkinSpot& place) {
   const double tilt = w.random.below(2) == 0 ? 0.0 : std::tan(w.random.uniform(0.0, 1.2));
   return (-place.normal + tilt * w.tangent(place.normal)).normalized();
 }
@@ -140,7 +140,7 @@ void press(PathWriter& w) {
   const SkinSpot place = w.start(height(w));
   const double step = w.anySpeed();
   const Vec3 out = w.tip();
-  w.go(place.point + w.mm * anySize(w.random, 1, 80) * inwards(w, place), step);
+  w.go(place.point + w.mm * anySize(w.random, 1, 80) * inwardDirection(w, place), step);
   w.hold(w.random.below(30));
   if (w.random.below(2) == 0) w.go(w.tip() + w.mm * w.random.uniform(1, 40) * w.tangent(place.normal), w.anySpeed());
   w.go(out, w.anySpeed());
@@ -181,7 +181,7 @@ void graze(PathWriter& w) {
 
 void stab(PathWriter& w) {
   const SkinSpot place = w.start(height(w));
-  const Vec3 above = w.tip(), below = place.point + w.mm * anySize(w.random, 1, 60) * inwards(w, place);
+  const Vec3 above = w.tip(), below = place.point + w.mm * anySize(w.random, 1, 60) * inwardDirection(w, place);
   const double step = w.anySpeed();
   for (int i = 0; i < 4; ++i) w.go(below, step), w.go(above, step);
 }
@@ -202,7 +202,7 @@ void cross(PathWriter& w) {
   const SkinSpot place = w.start(height(w));
   const Vec3 out = w.tip();
   const double way = std::min(0.9 * w.body.diagonal(), w.mm * anySize(w.random, 10, 250));
-  w.go(out + way * inwards(w, place), w.anySpeed());
+  w.go(out + way * inwardDirection(w, place), w.anySpeed());
   if (w.random.below(2) == 0) w.go(out, w.anySpeed());
 }
 
@@ -272,7 +272,7 @@ void circle(PathWriter& w) {
 
 void walk(PathWriter& w) {
   const SkinSpot place = w.start(height(w));
-  w.go(place.point + w.mm * anySize(w.random, 1, 40) * inwards(w, place), w.anySpeed());
+  w.go(place.point + w.mm * anySize(w.random, 1, 40) * inwardDirection(w, place), w.anySpeed());
   const double step = w.mm * anySize(w.random, 0.01, 5);
   Vec3 heading = w.direction();
   const double keep = w.random.uniform(0, 0.95);
@@ -314,7 +314,7 @@ void exact(PathWriter& w) {
 /// Deeper and deeper along a wall, pulled back a little now and then, as a finger works its way into a pocket.
 void burrow(PathWriter& w) {
   const SkinSpot place = w.start(height(w));
-  const Vec3 in = inwards(w, place);
+  const Vec3 in = inwardDirection(w, place);
   const double step = w.mm * anySize(w.random, 0.05, 1.5);
   w.go(place.point, step);
   for (int i = 0; i < 60 && !w.done(); ++i) {

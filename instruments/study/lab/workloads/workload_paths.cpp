@@ -80,7 +80,7 @@ constexpr double kHalfWidth = 115.0, kHalfLength = 135.0, kPhase = 0.1;
 
 /// The parameter of the Lissajous figure at each tick, so that the horizontal speed is 300 + 200 sin(pi tau / 2) mm/s;
 /// explicit Euler with 20 steps a millisecond.
-std::vector<double> slideParameter() {
+std::vector<double> lissajousParameters() {
   std::vector<double> parameter(kTwentySeconds, 0.0);
   double q = 0.0;
   for (std::size_t k = 1; k < kTwentySeconds; ++k) {
@@ -202,7 +202,7 @@ std::optional<device::Trajectory> pathWithNumber(std::string_view name) {
 }  // namespace
 
 device::Trajectory backSlide() {
-  const std::vector<double> parameter = slideParameter();
+  const std::vector<double> parameter = lissajousParameters();
   const Vec3 end = slidePoint(parameter[18000], kSlideUntilSeconds);
   return makeTwentySecondPath([&](std::size_t k) {
     const double t = tickSeconds(k);

@@ -34,7 +34,7 @@ Bracket bracketIn(const std::array<double, N>& ladder, double value, double (*sc
   return {low, (scale(value) - scale(ladder[low])) / (scale(ladder[low + 1]) - scale(ladder[low]))};
 }
 
-double same(double value) { return value; }
+double identity(double value) { return value; }
 double logarithm(double value) { return std::log(value); }
 
 /// The solved stacks of one site, as far as needed.
@@ -44,8 +44,8 @@ class SolvedLimb {
 
   double stiffness(double cover_mm, double skin_mm, double fat_mm) {
     const Bracket cover = bracketIn(kCoversMm, cover_mm, logarithm);
-    const Bracket fat = bracketIn(kFatShares, fat_mm / (cover_mm - skin_mm), same);
-    const Bracket skin = bracketIn(kSkinsMm, skin_mm, same);
+    const Bracket fat = bracketIn(kFatShares, fat_mm / (cover_mm - skin_mm), identity);
+    const Bracket skin = bracketIn(kSkinsMm, skin_mm, identity);
     double sum = 0.0;
     for (std::size_t corner = 0; corner < 8; ++corner) {
       const auto weight = [&](const Bracket& bracket, bool upper) {

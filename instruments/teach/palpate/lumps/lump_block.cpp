@@ -47,7 +47,7 @@ double lnCue(double cue) {
 }
 
 bool foundAll(const LumpTrial& trial, const LumpTask& task) {
-  const std::vector<MatchedFinding> all = judged(trial, task);
+  const std::vector<MatchedFinding> all = matchFindings(trial, task);
   const auto belongs = [](const MatchedFinding& one) { return one.lump.has_value(); };
   return static_cast<std::size_t>(std::ranges::count_if(all, belongs)) == trial.hidden.size();
 }
@@ -70,7 +70,7 @@ std::vector<Vec2> placesApart(const std::vector<Vec2>& places, std::size_t count
 
 }  // namespace
 
-std::vector<MatchedFinding> judged(const LumpTrial& trial, const LumpTask& task) {
+std::vector<MatchedFinding> matchFindings(const LumpTrial& trial, const LumpTask& task) {
   struct Pair {
     double distance_mm;
     std::size_t finding;
@@ -172,7 +172,7 @@ bool LumpBlock::answer(const Vec2& place_mm) {
   }
   now.findings.back().place_mm = place_mm;
   // A false place has no kind to ask about.
-  now.over = !judged(now, settings_.task).back().lump;
+  now.over = !matchFindings(now, settings_.task).back().lump;
   return true;
 }
 
@@ -319,7 +319,7 @@ LumpCounts countLumps(const std::vector<LumpTrial>& trials, const LumpTask& task
     ++(there ? counts.with : counts.without);
     if (said) ++(there ? counts.said_with : counts.said_without);
     std::vector<bool> found(trial.hidden.size(), false);
-    for (const MatchedFinding& finding : judged(trial, task)) {
+    for (const MatchedFinding& finding : matchFindings(trial, task)) {
       if (finding.lump) found[*finding.lump] = true;
       if (!finding.lump) ++counts.false_places;
     }

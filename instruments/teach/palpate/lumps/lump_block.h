@@ -57,7 +57,7 @@ struct MatchedFinding {
   std::optional<double> error_mm = {};  ///< to the nearest lump; nothing without lumps
 };
 /// Each lump belongs to the nearest finding within LumpTask::hitMm that belongs to no nearer lump.
-std::vector<MatchedFinding> judged(const LumpTrial& trial, const LumpTask& task);
+std::vector<MatchedFinding> matchFindings(const LumpTrial& trial, const LumpTask& task);
 /// Everything there was found, and nothing else.
 bool isRight(const LumpTrial& trial, const LumpTask& task);
 

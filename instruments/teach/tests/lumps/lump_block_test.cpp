@@ -154,7 +154,7 @@ LumpTrial makeTrial(std::vector<HiddenLump> hidden, const std::vector<Vec2>& nam
 TEST(LumpBlock, AFindingBelongsToOneLumpWithinAFingertip) {
   const LumpTask task;
   const LumpTrial two = makeTrial({{.place_mm = {0, 0}}, {.place_mm = {50, 0}}}, {{9.9, 0}, {2, 0}, {50, 10.1}});
-  const auto judgements = judged(two, task);
+  const auto judgements = matchFindings(two, task);
   EXPECT_FALSE(judgements[0].lump) << "the nearer one has it";
   EXPECT_EQ(judgements[1].lump, 0U);
   EXPECT_FALSE(judgements[2].lump) << "10.1 mm beside";

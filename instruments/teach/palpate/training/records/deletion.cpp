@@ -45,10 +45,10 @@ void sweepFile(Store& store) { store.rows().sql().run("VACUUM; PRAGMA wal_checkp
 
 std::int64_t sessionEndMs(const SessionRow& session) { return std::max(session.start_ms, session.end_ms); }
 
-enum class Tell : std::uint8_t { nobody, the_class };
+enum class Notify : std::uint8_t { no_one, the_class };
 
 /// Deletes files and rows of a known trainee.
-Deleted forget(Store& store, const TraineeRow& trainee, std::string_view actor, Tell tell) {
+Deleted deleteRecords(Store& store, const TraineeRow& trainee, std::string_view actor, Notify notify) {
   RecordingFiles files(store);
   Deleted deleted{.found = true};
   if (!trainee.key_ref.empty()) deleted.key = files.vault().destroy(trainee.key_ref);
@@ -59,12 +59,12 @@ Deleted forget(Store& store, const TraineeRow& trainee, std::string_view actor, 
   const std::int64_t trials_before = rows.trialCount();
   SqlTransaction transaction(rows.sql());
   for (const SessionRow& session : sessions) {
-    if (tell == Tell::the_class && store.holdsCopies()) noteParts(store, session);
+    if (notify == Notify::the_class && store.holdsCopies()) noteParts(store, session);
     forgetWaiting(store, session.id);
   }
   rows.sql().change("DELETE FROM outbox WHERE subject = $1", {trainee.id});
   rows.erase(trainee.id);
-  if (tell == Tell::the_class) {
+  if (notify == Notify::the_class) {
     const std::int64_t now = utcMs();
     rows.note(now, actor, "deleted", deletedMark(trainee.id));
     if (store.fillsOutbox()) store.queueDeletion({deletedMark(trainee.id), now});
@@ -87,7 +87,7 @@ void purgeRows(Store& store, const SessionRow& session) {
 Deleted deleteTrainee(Store& store, const Uuid& trainee, std::string_view actor) {
   const std::optional<TraineeRow> row = store.trainee(trainee);
   if (!row) return {};
-  const Deleted deleted = forget(store, *row, actor, Tell::the_class);
+  const Deleted deleted = deleteRecords(store, *row, actor, Notify::the_class);
   sweepFile(store);
   return deleted;
 }
@@ -130,7 +130,7 @@ Purged purge(Store& store, std::int64_t now_ms, bool really) {
     purged.trainees += of.nothing_left ? 1 : 0;
     if (!really) continue;
     for (const SessionRow& session : of.sessions) purgeRows(store, session);
-    if (of.nothing_left) forget(store, of.trainee, "purge", Tell::nobody);
+    if (of.nothing_left) deleteRecords(store, of.trainee, "purge", Notify::no_one);
   }
   if (really) forgetSentBytes(store.rows().sql());
   if (really && purged.sessions + purged.files + purged.trainees > 0) {

@@ -66,7 +66,7 @@ LumpStatistics lumpStatistics(const std::vector<lumps::LumpTrial>& trials, const
   std::vector<double> errors;
   for (const lumps::LumpTrial& trial : trials) {
     if (!trial.over) continue;
-    const std::vector<lumps::MatchedFinding> judged = lumps::judged(trial, task);
+    const std::vector<lumps::MatchedFinding> judged = lumps::matchFindings(trial, task);
     for (std::size_t i = 0; i < trial.hidden.size(); ++i) {
       const auto own = std::ranges::find(judged, std::optional(i), &lumps::MatchedFinding::lump);
       const bool found = own != judged.end();

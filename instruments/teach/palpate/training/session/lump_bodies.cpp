@@ -85,7 +85,7 @@ std::vector<Vec2> placesWithRoom(const scene::World& world, const lumps::LumpTas
   return places;
 }
 
-scene::Scene withoutAny(const scene::Scene& base, const Protocol& protocol) {
+scene::Scene withoutLumps(const scene::Scene& base, const Protocol& protocol) {
   if (!protocol.lump) {
     throw Error(fmt::format("protocol {}: a lump session needs a table [lump]", protocol.id));
   }
@@ -113,7 +113,7 @@ scene::Scene lumpScene(const scene::Scene& base, const lumps::LumpTask& task,
 }
 
 LumpBodies::LumpBodies(const std::shared_ptr<const scene::World>& body, const Protocol& protocol, const SiteSet& sites)
-    : plain_(scene::rebuilt(*body, withoutAny(body->scene, protocol))),
+    : plain_(scene::rebuilt(*body, withoutLumps(body->scene, protocol))),
       ground_(scene::pressureGround(*plain_)),
       task_(*protocol.lump),
       places_(placesWithRoom(*plain_, task_, sites)) {

@@ -120,12 +120,12 @@ void LumpRun::describe(const FeltLump& lump) {
                       : asked == LumpQuestion::depth    ? lump.truth.depth
                       : asked == LumpQuestion::hardness ? lump.truth.hardness
                                                         : (lump.truth.mobile ? 1 : 0);
-    session_.answer(known(truth, asked == LumpQuestion::mobile ? 2 : lumps::kGrades, lump.clarity), now());
+    session_.answer(drawAnswer(truth, asked == LumpQuestion::mobile ? 2 : lumps::kGrades, lump.clarity), now());
     storeNewRows();
   }
 }
 
-int LumpRun::known(int truth, int choices, double clarity) {
+int LumpRun::drawAnswer(int truth, int choices, double clarity) {
   const bool knows = random_.uniform() < lumps::detectionProbability(clarity, orders_.lump_observer);
   const auto any = static_cast<int>(random_.below(static_cast<std::uint64_t>(choices)));
   return knows ? truth : any;

@@ -37,7 +37,7 @@ class LumpRun final : public SittingRun {
   bool isNamed(const lumps::HiddenLump& lump) const;
   void answerPlace(const FeltLump& lump);
   void describe(const FeltLump& lump);
-  int known(int truth, int choices, double clarity);
+  int drawAnswer(int truth, int choices, double clarity);
 
   LumpSession& session_;
   BodyTouch& touch_;
