@@ -9,7 +9,7 @@
 #include "palpate/base/error.h"
 #include "palpate/classroom/postgres_sql.h"
 #include "palpate/training/records/row_tables.h"
-#include "palpate/training/records/sql.h"
+#include "palpate/training/records/schema.h"
 #include "palpate/training/records/store.h"
 
 namespace {

@@ -17,13 +17,12 @@ namespace palpate::web {
 
 namespace {
 
-// The skin of a body that is felt elsewhere (`palpate serve`): its bytes in, and for each frame of contacts the same
-// surface that the far side has.
-//
-//   skin, forms ─ decode ─► deform::Skin, Deformer          frame ─ decode ─► contacts ─► surface ─► ranges, values
-//
-// The breath lifts what was deformed at rest: that is how the far side shows it too.
-
+/// The skin of a body that is felt elsewhere (`palpate serve`): its bytes in, and for each frame of contacts the same
+/// surface that the far side has.
+///
+///   skin, forms ─ decode ─► deform::Skin, Deformer          frame ─ decode ─► contacts ─► surface ─► ranges, values
+///
+/// The breath lifts what was deformed at rest: that is how the far side shows it too.
 class ServedSkin {
  public:
   /// Throws Error for invalid bytes, and for inconsistent forms.

@@ -1,4 +1,4 @@
-#include "measure/study/measuring_measurement.h"
+#include "measure/study/corrupted_pairs.h"
 
 #include <cmath>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "measure/study/measuring_measurement.h"
+#include "measure/study/judged_pair.h"
 
 #include <algorithm>
 #include <cmath>

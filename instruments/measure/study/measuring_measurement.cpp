@@ -4,7 +4,7 @@
 #include <functional>
 #include <span>
 
-#include "measure/study/outside_fields.h"
+#include "measure/study/corrupted_pairs.h"
 #include "palpate/base/background.h"
 #include "palpate/base/random.h"
 #include "palpate/base/stopwatch.h"

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "measure/study/corrupted_pairs.h"
 #include "measure/study/measuring_measurement.h"
 
 namespace palpate::study {

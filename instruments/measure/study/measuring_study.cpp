@@ -10,6 +10,7 @@
 
 #include "measure/study/measuring_measurement.h"
 #include "measure/study/measuring_numbers.h"
+#include "measure/study/outside_study.h"
 #include "palpate/base/order_statistics.h"
 #include "palpate/measure/synthesis/synthetic_files.h"
 #include "report/page/plot_parts.h"

@@ -47,11 +47,9 @@ class OutsideFields {
   std::vector<elements::DragField> solved_;  // for a drag by 1 mm
 };
 
-// A pair without pixels: the dots of a synthetic case as a perfect camera program would find them, with a little noise.
-//
-// A thousand times as fast as pictures: for questions that pixels do not decide.
-
-/// `noise_mm`: sd of each place along each axis. Neither strays nor marks under stick or hand are among them.
+/// A pair without pixels: the dots of a synthetic case as a perfect camera program would find them, with a little
+/// noise. A thousand times as fast as pictures: for questions that pixels do not decide. `noise_mm`: sd of each place
+/// along each axis. Neither strays nor marks under stick or hand are among them.
 measure::DotPair exactDots(const measure::SyntheticCase& made, const measure::SyntheticTruth& truth,
                            double noise_mm = 0.05);
 

@@ -1,4 +1,4 @@
-#include "measure/study/measuring_study.h"
+#include "measure/study/outside_study.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,5 +1,5 @@
 // A step has one tick at first; whenever the strip is full, neighbours are joined and steps become twice as long.
-#include "report/plot/forces_plot.h"
+#include "report/plot/run_strip.h"
 
 #include <algorithm>
 

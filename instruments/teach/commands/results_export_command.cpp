@@ -9,7 +9,7 @@
 #include "palpate/base/private_folder.h"
 #include "palpate/training/records/class_names.h"
 #include "palpate/training/records/export.h"
-#include "palpate/training/records/sql.h"
+#include "palpate/training/records/schema.h"
 #include "palpate/training/records/trainee_code.h"
 #include "teach/commands/class_part.h"
 #include "teach/commands/results_commands.h"

@@ -12,6 +12,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/json.h"
 #include "palpate/base/language.h"
+#include "palpate/training/records/schema.h"
 #include "palpate/training/records/verify.h"
 #include "palpate/training/report/threshold_points.h"
 #include "teach/commands/results_commands.h"

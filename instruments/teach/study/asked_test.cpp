@@ -1,4 +1,4 @@
-#include "teach/study/training_measurement.h"
+#include "teach/study/asked_test.h"
 
 #include <algorithm>
 #include <atomic>

@@ -10,7 +10,7 @@
 #include "palpate/training/protocol.h"
 #include "palpate/training/stimulus.h"
 #include "report/page/plot_parts.h"
-#include "teach/study/training_measurement.h"
+#include "teach/study/asked_test.h"
 
 namespace palpate::study {
 

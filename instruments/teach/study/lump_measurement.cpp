@@ -10,7 +10,7 @@
 #include "palpate/base/error.h"
 #include "palpate/elements/stack_solver.h"
 #include "palpate/lumps/lump_sheet.h"
-#include "teach/study/training_measurement.h"
+#include "teach/study/asked_test.h"
 
 namespace palpate::study {
 

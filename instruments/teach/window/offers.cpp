@@ -1,4 +1,4 @@
-#include "teach/window/training_words.h"
+#include "teach/window/offers.h"
 
 #include <algorithm>
 #include <array>

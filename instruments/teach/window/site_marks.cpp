@@ -1,4 +1,4 @@
-#include "teach/window/training_painting.h"
+#include "teach/window/site_marks.h"
 
 #include <fmt/format.h>
 

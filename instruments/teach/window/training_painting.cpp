@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "palpate/window/gui.h"
+#include "teach/window/site_marks.h"
 #include "view/viewer/panels/widgets.h"
 
 namespace palpate::viewer {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "palpate/training/records/schema.h"
 #include "palpate/training/records/trainee_code.h"
 
 namespace palpate::classroom {

@@ -4,6 +4,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/classroom/postgres_sql.h"
+#include "palpate/training/records/schema.h"
 
 namespace palpate::classroom {
 

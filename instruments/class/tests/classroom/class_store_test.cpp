@@ -13,6 +13,7 @@
 #include "palpate/classroom/class_settings.h"
 #include "palpate/classroom/collector.h"
 #include "palpate/classroom/database_copy.h"
+#include "palpate/training/records/schema.h"
 #include "palpate/training/records/store.h"
 #include "support/error_message.h"
 #include "support/temporary_folder.h"

@@ -11,6 +11,7 @@
 #include "palpate/classroom/class_settings.h"
 #include "palpate/classroom/postgres_sql.h"
 #include "palpate/training/records/deletion.h"
+#include "palpate/training/records/schema.h"
 #include "palpate/training/records/store.h"
 #include "teach/tests/training/records_samples.h"
 

@@ -2,7 +2,7 @@
 // is taken first, and dots that do not fit their neighbours are dropped in the end. No full rectangle is needed, and
 // neither tilt nor a bent back matters. Two things that would go wrong silently: a seed must start from its shortest
 // pair, or half of the pictures lock onto the diagonals with every second dot; and a round takes only its best third.
-#include "palpate/measure/dots.h"
+#include "palpate/measure/dot_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "palpate/base/order_statistics.h"
+#include "palpate/measure/local_trend.h"
 
 namespace palpate::measure {
 

@@ -1,9 +1,11 @@
-#include "palpate/measure/dots.h"
+#include "palpate/measure/dot_matching.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
+
+#include "palpate/measure/local_trend.h"
 
 namespace palpate::measure {
 

@@ -1,4 +1,4 @@
-#include "palpate/measure/dots.h"
+#include "palpate/measure/local_trend.h"
 
 #include <Eigen/QR>
 

@@ -11,7 +11,7 @@
 #include "palpate/base/error.h"
 #include "palpate/base/number_range.h"
 #include "palpate/base/stopwatch.h"
-#include "palpate/measure/dots.h"
+#include "palpate/measure/dot_matching.h"
 #include "palpate/measure/field_report.h"
 #include "palpate/measure/skin_chart.h"
 

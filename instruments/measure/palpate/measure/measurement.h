@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "palpate/base/progress.h"
-#include "palpate/measure/dots.h"
+#include "palpate/measure/dot_grid.h"
 #include "palpate/measure/field/skin_field.h"
 #include "palpate/measure/photograph.h"
 

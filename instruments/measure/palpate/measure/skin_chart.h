@@ -8,7 +8,7 @@
 #include <span>
 
 #include "palpate/base/vec.h"
-#include "palpate/measure/dots.h"
+#include "palpate/measure/dot_grid.h"
 #include "palpate/measure/measurement.h"
 
 namespace palpate::measure {

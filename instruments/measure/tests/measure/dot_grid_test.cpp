@@ -1,4 +1,4 @@
-#include "palpate/measure/dots.h"
+#include "palpate/measure/dot_grid.h"
 
 #include <gtest/gtest.h>
 

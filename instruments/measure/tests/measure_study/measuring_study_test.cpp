@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/study/corrupted_pairs.h"
 #include "measure/study/measuring_measurement.h"
 #include "measure/study/measuring_numbers.h"
-#include "measure/study/measuring_study.h"
 #include "measure/study/outside_fields.h"
+#include "measure/study/outside_study.h"
 #include "palpate/base/error.h"
 #include "report/tests/report/says.h"
 

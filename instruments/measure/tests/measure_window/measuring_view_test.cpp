@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "measure/window/key_table_file.h"
-#include "measure/window/measuring_mode.h"
+#include "measure/window/measuring_work.h"
 #include "measure/window/photo_frame.h"
 #include "palpate/base/output_file.h"
 #include "palpate/base/stopwatch.h"

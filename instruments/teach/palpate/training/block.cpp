@@ -8,6 +8,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/random.h"
+#include "palpate/training/block_state.h"
 #include "palpate/training/marginal_psi.h"
 #include "palpate/training/staircase.h"
 

@@ -1,4 +1,4 @@
-#include "palpate/training/block.h"
+#include "palpate/training/block_state.h"
 
 #include <fmt/format.h>
 

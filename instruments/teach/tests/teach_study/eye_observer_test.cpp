@@ -7,7 +7,7 @@
 
 #include "palpate/training/protocol.h"
 #include "report/tests/report/says.h"
-#include "teach/study/training_measurement.h"
+#include "teach/study/asked_test.h"
 
 namespace palpate::study {
 namespace {

@@ -1,6 +1,6 @@
 // The schema: what version 1 was is written down and does not change, a filled database of it comes forward whole, and
 // one that came forward is no other than a fresh one.
-#include "palpate/training/records/sql.h"
+#include "palpate/training/records/schema.h"
 
 #include <gtest/gtest.h>
 

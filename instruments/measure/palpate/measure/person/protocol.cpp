@@ -1,5 +1,5 @@
 // TOML -> keys by hand, each named where it is unknown or wrong.
-#include "palpate/measure/person/person_folder.h"
+#include "palpate/measure/person/protocol.h"
 
 #include <fmt/format.h>
 

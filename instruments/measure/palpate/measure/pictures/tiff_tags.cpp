@@ -1,5 +1,5 @@
 // Based on: TIFF Revision 6.0, sections 2 and 8.
-#include "palpate/measure/pictures/exif.h"
+#include "palpate/measure/pictures/tiff_tags.h"
 
 #include <algorithm>
 #include <array>

@@ -13,6 +13,7 @@
 #include "palpate/measure/synthesis/synthetic_camera.h"
 #include "palpate/measure/synthesis/synthetic_mesh.h"
 #include "palpate/measure/synthesis/synthetic_skin.h"
+#include "palpate/measure/synthesis/synthetic_stick.h"
 
 namespace palpate::measure {
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "palpate/measure/dots.h"
+#include "palpate/measure/dot_grid.h"
 #include "palpate/measure/field/skin_field.h"
 #include "palpate/measure/photograph.h"
 #include "palpate/measure/synthesis/synthetic_case.h"

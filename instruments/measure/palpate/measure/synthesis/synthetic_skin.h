@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "palpate/base/vec.h"
-#include "palpate/measure/dots.h"
+#include "palpate/measure/dot_grid.h"
 #include "palpate/measure/synthesis/synthetic_case.h"
 
 namespace palpate::measure {

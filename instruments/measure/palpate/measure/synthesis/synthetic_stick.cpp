@@ -1,4 +1,4 @@
-#include "palpate/measure/synthesis/synthetic_mesh.h"
+#include "palpate/measure/synthesis/synthetic_stick.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,6 +6,7 @@
 
 #include "palpate/base/json.h"
 #include "palpate/training/records/row_fields.h"
+#include "palpate/training/records/schema.h"
 
 namespace palpate::training {
 

@@ -3,8 +3,8 @@
 //   pieces: sealed bytes, 16 bytes of seal; all full but the last, which may be empty
 // Numbers are little-endian. A piece's nonce is the file's and its number; what is sealed with it, unencrypted, is the
 // whole header and whether it is the last.
+#include "palpate/training/records/locked_file.h"
 #include "palpate/base/system/process.h"
-#include "palpate/training/records/key_vault.h"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

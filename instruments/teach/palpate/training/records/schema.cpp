@@ -7,7 +7,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/training/records/row_fields.h"
-#include "palpate/training/records/sql.h"
+#include "palpate/training/records/schema.h"
 #include "palpate/training/records/trainee_code.h"
 
 namespace palpate::training {

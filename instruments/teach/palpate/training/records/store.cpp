@@ -5,6 +5,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/base/private_folder.h"
+#include "palpate/training/records/schema.h"
 #include "palpate/training/records/sqlite_sql.h"
 #include "palpate/training/records/trainee_code.h"
 

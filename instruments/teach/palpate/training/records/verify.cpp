@@ -7,6 +7,7 @@
 
 #include "palpate/base/error.h"
 #include "palpate/training/records/recording_files.h"
+#include "palpate/training/records/schema.h"
 #include "palpate/training/sha256.h"
 
 namespace palpate::training {

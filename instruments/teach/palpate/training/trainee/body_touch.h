@@ -13,42 +13,15 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "palpate/device/hand_device.h"
 #include "palpate/scene/world.h"
 #include "palpate/servo/tick.h"
 #include "palpate/trace/recording_writer.h"
-#include "palpate/training/session/session.h"
 #include "palpate/training/trainee/touching.h"
+#include "palpate/training/trainee/trial_worlds.h"
 
 namespace palpate::training {
-
-// The bodies of a session's trials, made quickly: one even body, and copies of it with a hidden place.
-//
-//   body, protocol ─ TrialWorlds ─► the even world ─ with(hidden) ─► a world each trial
-//
-// A hidden place changes nothing but the stiffness map, so its world is the even one copied with another map: some
-// 10 ms, where scene::rebuilt takes 170 ms for the trunk (search tree, deformable skin). Both give the same forces bit
-// by bit, and a session that names the scene is replayed by the long way.
-
-class TrialWorlds {
- public:
-  /// `body` is any world of that body. Throws Error as scene::rebuilt does.
-  TrialWorlds(const scene::World& body, const Protocol& protocol, SessionKind kind, const SiteSet& sites);
-
-  const std::shared_ptr<const scene::World>& even() const { return even_; }
-  /// Throws Error for a site that there is not.
-  std::shared_ptr<const scene::World> with(const std::optional<HiddenNow>& hidden) const;
-
- private:
-  scene::Scene base_;
-  Protocol protocol_;
-  SessionKind kind_;
-  SiteSet sites_;
-  std::shared_ptr<const scene::World> even_;
-  std::vector<Index> reached_;  ///< vertices that a place on the map plane changes: of a closed body its back
-};
 
 struct BodyTouchSettings {
   device::HandChoice hand = {.hand = device::HandKind::thimble, .device = scene::DeviceModel::touch_x};

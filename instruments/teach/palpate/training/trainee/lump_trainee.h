@@ -13,7 +13,7 @@
 
 #include "palpate/training/session/lump_session.h"
 #include "palpate/training/trainee/body_touch.h"
-#include "palpate/training/trainee/trainee_course.h"
+#include "palpate/training/trainee/trainee_run.h"
 
 namespace palpate::training {
 

@@ -1,4 +1,4 @@
-#include "palpate/training/trainee/touching.h"
+#include "palpate/training/trainee/trainee_finger.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "palpate/training/trainee/trainee_course.h"
+#include "palpate/training/trainee/trainee_run.h"
 
 #include <fmt/format.h>
 

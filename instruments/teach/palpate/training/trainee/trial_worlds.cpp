@@ -1,4 +1,4 @@
-#include "palpate/training/trainee/body_touch.h"
+#include "palpate/training/trainee/trial_worlds.h"
 
 #include <utility>
 
