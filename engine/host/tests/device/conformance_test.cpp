@@ -362,6 +362,17 @@ TEST_P(EveryHardware, AFaultLeavesNoPlaceAndZeroForceWithinTwoTicksAndTheDeviceC
   }
 }
 
+TEST_P(EveryHardware, OfADeviceThatIsLostTheLibraryIsToldNothingMore) {
+  Device device = pushed();
+  bench.hardware().connected = false;
+  for (int i = 0; i < 50; ++i) bench.tick(device, kPush);  // until it is taken for lost
+  if (device.revive) device.revive();
+  bench.control().stray_calls = 0;
+  for (int i = 0; i < 5; ++i) bench.tick(device, kPush);
+  device.close();
+  EXPECT_EQ(bench.control().stray_calls, 0);
+}
+
 TEST_P(EveryHardware, AFaultyDeviceThatStillListensIsToldZeroInTheVeryNextTick) {
   Device device = pushed();
   bench.hardware().gives_no_number = true;

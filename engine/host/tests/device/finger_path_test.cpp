@@ -6,6 +6,7 @@
 
 #include "host/tests/scene/dome_scene.h"
 #include "support/error_message.h"
+#include "support/mesh_zoo.h"
 
 namespace palpate::device {
 namespace {
@@ -43,6 +44,28 @@ TEST_F(PathOf, AnyMeshGetsAPathOverItsTop) {
   double lowest = 1e9;
   for (const Vec3& tip : path.tip_mm) lowest = std::min(lowest, tip.z());
   EXPECT_LT(lowest, 16.0);
+}
+
+/// 200 places off the border, falling to the right and a little away; the highest has no room for a drag to its right.
+TEST_F(PathOf, EachOfTwoHundredPlacesIsTriedForRoom) {
+  mesh::TriangleMesh slope = zoo::grid(21, 210.0);
+  std::erase_if(slope.triangles, [&](const auto& t) {
+    return std::ranges::any_of(t, [&](Index v) { return slope.positions[v].y() > 115.0; });
+  });
+  for (Vec3& place : slope.positions) {
+    const bool is_highest = (place - Vec3(200, 100, 0)).norm() < 1.0;
+    place.z() = is_highest ? 5.0 : -0.02 * place.x() - 0.003 * place.y();
+  }
+  mesh::save(folder_ / "dome.obj", slope);
+  const Vec3 start = automaticPath(*scene::build(meshScene())).tip_mm.front();
+  EXPECT_LT((start - Vec3(10, 10, start.z())).norm(), 1.0) << start.transpose();
+}
+
+TEST_F(PathOf, AnOnlyPlaceIsTriedToo) {
+  mesh::save(folder_ / "dome.obj", {{{-50, -50, 0}, {50, -50, 0}, {50, 50, 0}, {-50, 50, 0}, {5, 5, 10}},
+                                    {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
+  const Vec3 start = automaticPath(*scene::build(meshScene())).tip_mm.front();
+  EXPECT_LT((start - Vec3(5, 5, start.z())).norm(), 1.0) << start.transpose();
 }
 
 TEST_F(PathOf, NeedsSkinUnderTheFinger) {

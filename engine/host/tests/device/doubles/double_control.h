@@ -34,6 +34,7 @@ struct DoubleControl {
   std::atomic<unsigned> refusal{0};  ///< opening fails with this code of the vendor
   std::atomic<int> major{3};         ///< version of the library or service
   std::atomic<int> minor{5};         ///< likewise, where a test may choose it
+  std::atomic<int> stray_calls{0};   ///< for a device that the program does not have open
   void (*tick)() = nullptr;          ///< by hand: one turn of the driver's loop, where it has one
 };
 

@@ -52,6 +52,7 @@ inline void reset(DoubleControl& control) {
   control.refusal = 0;
   control.major = 3;
   control.minor = 5;
+  control.stray_calls = 0;
 }
 
 }  // namespace palpate::doubles

@@ -37,8 +37,13 @@ std::array<double, 3>& told(char id) {
   return forces.at(static_cast<unsigned char>(id));
 }
 
+void countIfStray(char id) {
+  if (!at(id).open) ++control().stray_calls;
+}
+
 /// An exchange with a device that may have gone, or be slow.
 bool answers(char id) {
+  countIfStray(id);
   if (control().slow_us > 0) std::this_thread::sleep_for(std::chrono::microseconds(control().slow_us));
   return exists(id) && at(id).open && at(id).error == 0;
 }
@@ -63,6 +68,7 @@ int dhdOpenID(char index) {
 }
 
 int dhdClose(char id) {
+  countIfStray(id);
   at(id).open = false;
   at(id).forces_on = false;
   for (auto& force : at(id).force) force = 0.0;
@@ -70,6 +76,7 @@ int dhdClose(char id) {
 }
 
 int dhdEnableForce(unsigned char on, char id) {
+  countIfStray(id);
   DoubleDevice& self = at(id);
   self.forces_on = on != 0;
   // A motor that is switched on has the force that it was last told.

@@ -75,6 +75,10 @@ void turn(Library& self) {
 DoubleDevice& device(std::uint32_t handle) { return library().control.devices[handle < 2 ? handle : 0]; }
 DoubleDevice& current() { return device(library().current); }
 
+void countIfStray(std::uint32_t handle) {
+  if (handle >= 2 || !device(handle).open) ++library().control.stray_calls;
+}
+
 void copyOut(const std::array<std::atomic<double>, 3>& from, double* to) {
   for (std::size_t axis = 0; axis < 3; ++axis) to[axis] = from[axis];
 }
@@ -114,11 +118,18 @@ std::uint32_t hdInitDevice(const char* name) {
   return handle;
 }
 
-void hdDisableDevice(std::uint32_t handle) { device(handle).open = false; }
-void hdMakeCurrentDevice(std::uint32_t handle) { library().current = handle; }
+void hdDisableDevice(std::uint32_t handle) {
+  countIfStray(handle);
+  device(handle).open = false;
+}
+void hdMakeCurrentDevice(std::uint32_t handle) {
+  countIfStray(handle);
+  library().current = handle;
+}
 std::uint32_t hdGetCurrentDevice() { return library().current; }
 
 void hdBeginFrame(std::uint32_t handle) {
+  countIfStray(handle);
   library().current = handle;
   DoubleDevice& self = device(handle);
   if (!self.connected) report(0x302, handle);
