@@ -219,6 +219,36 @@ TEST(AnatomicalReach, FlatSkinOverEvenTissueKeepsItsRegions) {
   }
 }
 
+/// Towards thicker tissue a press reaches farther, as a multiple of what it reaches where it is.
+TEST(AnatomicalReach, TheThinnestTissueHasItsOwnReach) {
+  const double thinnest = layers().thinnest();
+  const auto farthest = [&](double thickness) {
+    Heights base(201, -1.5 * thinnest);
+    std::fill(base.begin(), base.begin() + 100, -thickness);
+    const Ground ground(Heights(201, 0.0), base);
+    const tissue::PressCurves curves = layers().pressAt(thickness, 8.0);
+    const tree::NearestPoint at = ground.under(-5.0);
+    return std::ranges::max(ground.reach()
+                                .at(ground.tree, ground.tree.source_triangle[at.triangle], at.closest.point,
+                                    Vec3::UnitZ(), {.press = &curves})
+                                .press);
+  };
+  EXPECT_GT(farthest(thinnest), farthest(1.02 * thinnest));
+}
+
+TEST(AnatomicalReach, TissueOfOneStackReachesAlikeEverywhere) {
+  tissue::LayeredNode node = tissue::libraryNodes(8.0)[2];
+  node.thickness_mm = 20.0;
+  const tissue::LayeredTissue one_stack({node});
+  const Ground ground(Heights(201, 0.0), Heights(201, -20.0), 10.0);
+  const AnatomicalReach reach(ground.skin, ground.tree, ground.nearest_mm, ground.bones, one_stack);
+  const tissue::PressCurves curves = one_stack.pressAt(20.0, 8.0);
+  const tree::NearestPoint at = tree::nearestPoint(ground.tree, Vec3::Zero(), 50.0);  // a vertex: 20 mm to the bit
+  const PlaceReach place = reach.at(ground.tree, ground.tree.source_triangle[at.triangle], at.closest.point,
+                                    Vec3::UnitZ(), {.press = &curves});
+  for (const double factor : place.press) EXPECT_NEAR(factor, 0.0, 1e-6);
+}
+
 TEST(AnatomicalReach, ReliefIsNoFold) {
   Heights relief;
   for (int x = -100; x <= 100; ++x) relief.push_back(0.3 * std::sin(x / 3.0));

@@ -8,6 +8,7 @@
 #include "palpate/contact/finger.h"
 #include "palpate/scene/lumps_of_body.h"
 #include "palpate/scene/scene_writer.h"
+#include "palpate/tissue/layered_library.h"
 #include "palpate/tissue/layered_table.h"
 #include "support/error_message.h"
 #include "support/lump_field.h"
@@ -74,6 +75,19 @@ TEST(LumpKeys, AreRefusedWithFileAndLine) {
   EXPECT_EQ(messageFor(lump("diametre_mm = 4\n")),
             "s.toml:2: unknown key 'diametre_mm' in [[lump]]; did you mean 'diameter_mm'?");
   EXPECT_EQ(messageFor(kFinger + "pad = 1\n"), "s.toml:4: [[finger]] pad = 1 is out of range: 2 to 16, or 0");
+}
+
+TEST(LumpGround, OfTheLibraryHasTheFatOfTheScene) {
+  HealthyTissue healthy;
+  healthy.tissue.layered = std::make_shared<const tissue::LayeredTissue>(tissue::libraryNodes(8.0));
+  Scene lean, stout;
+  lean.tissue.fat_mm = 8.0;
+  stout.tissue.fat_mm = 20.0;
+  const LumpGround under_lean(lean, healthy, true, "lumps"), under_stout(stout, healthy, true, "lumps");
+  EXPECT_NEAR(under_lean.stackAt(40.0).layers[1].thickness_mm, 8.0, 1e-9);
+  EXPECT_NEAR(under_stout.stackAt(40.0).layers[1].thickness_mm, 20.0, 1e-9);
+  EXPECT_NE(under_lean.numbers(), under_stout.numbers()) << "lumps in them do not share a table";
+  EXPECT_EQ(under_lean.secantAt(40.0), healthy.tissue.layered->secantAt(40.0, tissue::kReferenceDepthMm));
 }
 
 /// A dome of one stack whose field is known.
