@@ -117,8 +117,6 @@ void HuntOracle::add(const contact::FingerOutput& o) {
     first_ = false;
     last_tip_ = o.tip;
     last_force_ = o.force;
-    last_proxy_ = o.proxy;
-    last_status_ = o.status;
   }
   ++tick_;
   ++report_.ticks;
@@ -211,10 +209,10 @@ bool HuntOracle::hasLeftFold(const Vec3& tip) {
 }
 
 bool HuntOracle::wasHeldFarFromBorder(const Vec3& tip) {
-  const double path = (kProxyAndTip - 1.0) * (tip - last_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
+  const double path = (kProxyAndTip - 1.0) * (tip - held_tip_).norm() + settings_.catch_up_mm_per_s * settings_.tick_s;
   // Beyond a border a sphere may be released as long as the force can have faded: as far beyond as the tip is deep.
-  const bool fades = last_afloat_ && body_.slow().distanceToBorder(last_tip_) <= kFadeShare * last_reach_ + path;
-  return past_ == Past::held && !fades && !isOnItsWay(last_status_) && isFarFromBorder(last_proxy_, path);
+  const bool fades = last_afloat_ && body_.slow().distanceToBorder(held_tip_) <= kFadeShare * held_reach_ + path;
+  return past_ == Past::held && !fades && !isOnItsWay(held_status_) && isFarFromBorder(held_proxy_, path);
 }
 
 double HuntOracle::pointTolerance() const {
@@ -235,7 +233,7 @@ void HuntOracle::judgeAfloat(const contact::FingerOutput& o) {
   const std::optional<Vec3> centre = afloatAt(o);
   if (centre && wasHeldFarFromBorder(o.tip))
     reportFault(Fault::wrong_force, "distance of a border from where a sphere left the skin over it, mm",
-                body_.slow().distanceToBorder(last_proxy_), 0.0);
+                body_.slow().distanceToBorder(held_proxy_), 0.0);
   if (centre && body_.inside(*centre) && body_.inside(o.tip)) exempt_ = true;  // both came in by an opening
   last_afloat_ = centre;
 }
@@ -277,6 +275,21 @@ void HuntOracle::judgeOverlapBesideBorder(const contact::FingerOutput& o, double
   judgeOverlap(o.tip, distance, from_front && isFarFromBorder(nearest.point, 0.0));
 }
 
+/// Whatever held the finger, its tip is inside other skin than it came through: the winding number is above a half even
+/// without a turn for each skin that it passed. On the skin and on a way through an edge too few may be counted; so
+/// neither end may lie on it, and the ways beside count as well.
+bool HuntOracle::hasPassedOpening(const Vec3& tip) {
+  const double turns = body_.winding(tip);
+  if (turns <= kBeyondAnOpening || body_.winding(last_tip_) > kBeyondAnOpening) return false;
+  const auto is_inside_without = [&](const Vec3& offset) {
+    return turns - body_.tree().crossing(last_tip_ + offset, tip + offset).inwards > kBeyondAnOpening;
+  };
+  const auto is_clear = [&](const Vec3& place) { return body_.nearest(place).distance > body_.tolerance(); };
+  const std::array<Vec3, 4> beside = waysBeside(last_tip_, tip);
+  return is_clear(last_tip_) && is_clear(tip) && is_inside_without(Vec3::Zero()) &&
+         std::all_of(beside.begin(), beside.end(), is_inside_without);
+}
+
 void HuntOracle::judgeTouching(const contact::FingerOutput& o) {
   const bool has_force = !o.force.isZero(0.0);
   if (past_ == Past::outside && body_.closed() && settings_.radius_mm == 0.0 && !has_force) {
@@ -287,7 +300,11 @@ void HuntOracle::judgeTouching(const contact::FingerOutput& o) {
   if (exempt_ && !isOnItsWay(o.status) && body_.winding(o.tip) <= kBeyondAnOpening) exempt_ = false;
   const bool is_finite = std::isfinite(o.force.sum() + o.proxy.sum() + o.normal.sum() + o.depth_mm);
   if (is_finite && !body_.closed()) judgeAfloat(o);
-  last_reach_ = (o.proxy + settings_.radius_mm * o.normal - o.tip).norm() + settings_.radius_mm;
+  if (past_ == Past::held && !body_.closed() && hasPassedOpening(o.tip)) exempt_ = true;
+  held_tip_ = o.tip;
+  held_proxy_ = o.proxy;
+  held_status_ = o.status;
+  held_reach_ = (o.proxy + settings_.radius_mm * o.normal - o.tip).norm() + settings_.radius_mm;
   past_ = Past::held;
   if (!is_finite) {
     reportFault(Fault::wrong_force, "a number that is not finite", 0.0, 0.0);

@@ -130,6 +130,8 @@ class HuntOracle {
   std::optional<Vec3> afloatAt(const contact::FingerOutput& o) const;
   void judgeAfloat(const contact::FingerOutput& o);
   void judgeTouching(const contact::FingerOutput& o);
+  /// Whether the tip of a finger that was held came in by an opening since the last tick.
+  bool hasPassedOpening(const Vec3& tip);
   /// For an open body only where every border is farther from the tip than its lag and its radius.
   bool isOutFarFromBorders(const contact::FingerOutput& o);
   void judgeHeldInAir(const contact::FingerOutput& o);
@@ -150,9 +152,11 @@ class HuntOracle {
   bool exempt_ = false;              ///< inside from the start, or by an opening
   std::optional<Vec3> last_afloat_;  ///< a sphere's centre beyond a border, over the sheet continued flat
   Past past_ = Past::unknown;
-  Vec3 last_tip_ = Vec3::Zero(), last_force_ = Vec3::Zero(), last_proxy_ = Vec3::Zero();
-  std::uint32_t last_status_ = 0;
-  double last_reach_ = 0.0;  ///< lag and radius of a finger that was held
+  Vec3 last_tip_ = Vec3::Zero(), last_force_ = Vec3::Zero();
+  // Of the last tick in which the finger was held: after it a tip may be free on the skin for some ticks.
+  Vec3 held_tip_ = Vec3::Zero(), held_proxy_ = Vec3::Zero();
+  std::uint32_t held_status_ = 0;
+  double held_reach_ = 0.0;  ///< lag and radius
   ClearBall tip_ball_, centre_ball_;
   std::vector<Index> nearby_;
   std::array<std::size_t, kFaults> last_found_{};  ///< tick + 1: a tick counts once a fault

@@ -243,6 +243,53 @@ TEST(HuntJudgementOfTornBodies, AForceInFreeAirFarFromTheOpeningIsAFaultAndOneBe
   EXPECT_EQ(held_in_air({103, 97, 26}, 97), 0u) << "the border is nearer than the proxy";
 }
 
+contact::FingerOutput heldFrom(const Vec3& proxy, const Vec3& normal, const Vec3& tip, std::uint32_t status = 0) {
+  contact::FingerOutput o = freeOutputAt(tip);
+  o.touch = contact::Touch::stick;
+  o.proxy = proxy;
+  o.normal = normal;
+  o.force = normal;
+  o.status = status;
+  return o;
+}
+
+std::size_t fallsIn(OracleBody& body, const std::vector<contact::FingerOutput>& outputs) {
+  HuntOracle judge(body, {}, kStiffness);
+  for (const contact::FingerOutput& o : outputs) judge.add(o);
+  return judge.report().of(Fault::fall).ticks;
+}
+
+/// A part within the box holds a finger that began inside, while its tip leaves the box and comes back.
+TEST(HuntJudgementOfTornBodies, ATipThatComesBackByTheOpeningWhileItIsHeldHasNotFallenAndOneThroughTheSkinHas) {
+  mesh::TriangleMesh mesh = openBox();
+  mesh::TriangleMesh part = plateMesh(10, 10, 2);
+  for (Vec3& p : part.positions) p += Vec3(45, 55, 10);
+  mesh::append(part, mesh);
+  OracleBody body(mesh, false);
+  const auto held = [](const Vec3& tip) { return heldFrom({50.1, 55, 15.3}, -Vec3::UnitY(), tip); };
+  const Vec3 cavity(50.1, 50, 15.3), in_part(50.1, 62, 15.3);
+  const auto falls = [&](const std::vector<Vec3>& outside) {
+    std::vector<contact::FingerOutput> outputs{freeOutputAt(cavity), held(in_part)};
+    for (const Vec3& tip : outside) outputs.push_back(held(tip));
+    outputs.insert(outputs.end(), {held(in_part), freeOutputAt(cavity)});
+    return fallsIn(body, outputs);
+  };
+  EXPECT_EQ(falls({{50.1, 130, 15.3}}), 0u);
+  EXPECT_EQ(falls({{50.1, 62, -9}}), 1u);
+  EXPECT_EQ(falls({{50.1, 62, -9}, {50.1, 62, 0}}), 1u) << "by way of a place on the skin";
+}
+
+TEST(HuntJudgementOfTornBodies, ATipThatIsFreeOnTheSkinWasHeldWhereItWasBefore) {
+  OracleBody box(openBox(), false);
+  const auto falls = [&](double y, std::uint32_t status) {
+    return fallsIn(box, {freeOutputAt({51, 60, 31}), heldFrom({51, y, 30}, Vec3::UnitZ(), {51, 60, 29}, status),
+                         freeOutputAt({51, 60, 30}), freeOutputAt({51, 60, 29.9})});
+  };
+  EXPECT_EQ(falls(60, 0), 1u);
+  EXPECT_EQ(falls(100, 0), 0u) << "at the border";
+  EXPECT_EQ(falls(60, contact::kCatchingUp), 0u);
+}
+
 std::size_t missedBy(OracleBody& body, const std::vector<Vec3>& tips) {
   HuntOracle judge(body, {}, kStiffness);
   for (const Vec3& tip : tips) judge.add(freeOutputAt(tip));
