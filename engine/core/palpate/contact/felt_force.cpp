@@ -147,7 +147,7 @@ FingerOutput feltOutput(const Surface& surface, const FingerSettings& settings, 
     state.memory = {};
   }
   const double sideways = settings.stiffness_ratio * tissue.tangential * tissue.secant_n_per_mm;
-  const Pressure pressure{press.proxy, press.normal, tissue.force_n, sideways};
+  const Pressure pressure{press.proxy, press.normal, tissue.force_n, sideways, press.bank};
   const Hold hold = holdOf(surface, pressure, gripLimits(settings, tissue), most_n, state);
   FingerOutput output;
   output.tip = tip;

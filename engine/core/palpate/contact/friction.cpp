@@ -34,6 +34,18 @@ SurfacePoint dragged(const Surface& surface, const FingerState& state, const Vec
   return walkToNearest(surface, state.proxy, target, pull_mm).at;
 }
 
+/// The pull without what would lead the whole force into the bank of a crack. In a valley or a wedge the tip lies deep
+/// beside its wall, so that the normal hardly leads out of it and friction would win.
+Vec3 keptOffBank(const Pressure& press, const Vec3& pull) {
+  const double stiffness = press.tangential_n_per_mm;
+  const double into_n = -(press.force_n * press.normal + stiffness * pull).dot(press.bank);
+  if (!(into_n > 0.0) || !(stiffness > 0.0)) return pull;
+  const Vec3 along = press.bank - press.bank.dot(press.normal) * press.normal;
+  const double length2 = along.squaredNorm();
+  if (!(length2 > 0.0)) return pull;
+  return pull + (std::min(into_n / stiffness, std::max(0.0, -pull.dot(along))) / length2) * along;
+}
+
 /// Moves the requested pull towards the one that changes the force least, as far as the step needs. That one lies in
 /// the friction cone too (`longest_mm`), which takes precedence over the step.
 Vec3 withinStep(const Pressure& press, const Vec3& request, double longest_mm, double most_n,
@@ -76,10 +88,11 @@ Grip gripOf(const Vec3& proxy, const Vec3& normal, const Vec3& anchor, const Gri
 Hold holdOf(const Surface& surface, const Pressure& press, const GripLimits& limits, double most_n,
             FingerState& state) noexcept {
   const Grip grip = gripOf(press.proxy, press.normal, state.hold, limits, state.slipping);
-  const Vec3 pull = withinStep(press, grip.pull, limits.sticking_mm, most_n, state.force);
-  const bool settled = pull == grip.pull;
+  const Vec3 request = keptOffBank(press, grip.pull);
+  const Vec3 pull = withinStep(press, request, limits.sticking_mm, most_n, state.force);
+  const bool settled = pull == request;
   state.slipping = grip.slipping;
-  if (grip.slipping || !settled) state.hold = press.proxy + pull;
+  if (grip.slipping || pull != grip.pull) state.hold = press.proxy + pull;
   state.anchor = dragged(surface, state, state.hold, (state.hold - press.proxy).norm());
   return {pull, settled};
 }

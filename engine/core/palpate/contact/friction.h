@@ -28,6 +28,7 @@ struct Pressure {
   Vec3 normal;                 ///< unit
   double force_n;              ///< along the normal
   double tangential_n_per_mm;  ///< k_t
+  Vec3 bank = Vec3::Zero();    ///< as Press has it
 };
 
 /// The tip's hold in this tick.

@@ -254,23 +254,6 @@ void dropOthers(const SurfaceGeometry& geometry, std::vector<std::uint8_t>& crac
   if (std::count(cracked.begin(), cracked.end(), 1) == 0) cracked.clear();
 }
 
-/// The normal of the skin at a place without what is in the crack there.
-Vec3 bankNormal(const Surface& surface, const SurfacePoint& place) {
-  const SurfaceGeometry& geometry = *surface.geometry;
-  Vec3 sum = Vec3::Zero();
-  const auto add = [&](Index t) {
-    if (t != kNoIndex && !isInCrack(geometry, t, place.position)) sum += faceNormal(geometry.tree.records[t]);
-  };
-  const TriangleRecord& record = geometry.tree.records[place.triangle];
-  if (tree::isCorner(place.feature)) {
-    visitFan(surface, place.triangle, tree::indexOf(place.feature), [&](Index t, int) { add(t); });
-  } else {
-    add(place.triangle);
-    if (tree::isEdge(place.feature)) add(record.neighbours[tree::indexOf(place.feature)]);
-  }
-  return sum.isZero(0.0) ? normalAt(surface, place) : Vec3(sum.stableNormalized());
-}
-
 /// Whether the nearest skin is a crack's wall.
 bool liesInCrack(const Surface& surface, const Vec3& tip) {
   const SurfaceGeometry& geometry = *surface.geometry;
@@ -299,6 +282,22 @@ bool isInCrack(const SurfaceGeometry& geometry, Index triangle, const Vec3& plac
   return facesAnything(geometry.tree, width, triangle, place + share * inwards);
 }
 
+Vec3 bankNormal(const Surface& surface, const SurfacePoint& rim) noexcept {
+  const SurfaceGeometry& geometry = *surface.geometry;
+  Vec3 sum = Vec3::Zero();
+  const auto add = [&](Index t) {
+    if (t != kNoIndex && !isInCrack(geometry, t, rim.position)) sum += faceNormal(geometry.tree.records[t]);
+  };
+  const TriangleRecord& record = geometry.tree.records[rim.triangle];
+  if (tree::isCorner(rim.feature)) {
+    visitFan(surface, rim.triangle, tree::indexOf(rim.feature), [&](Index t, int) { add(t); });
+  } else {
+    add(rim.triangle);
+    if (tree::isEdge(rim.feature)) add(record.neighbours[tree::indexOf(rim.feature)]);
+  }
+  return sum.isZero(0.0) ? normalAt(surface, rim) : Vec3(sum.stableNormalized());
+}
+
 std::optional<SurfacePoint> otherBank(const Surface& surface, const SurfacePoint& rim, const Vec3& tip) noexcept {
   const SurfaceGeometry& geometry = *surface.geometry;
   const double reach = crackWidth(geometry);
@@ -319,10 +318,6 @@ std::optional<SurfacePoint> otherBank(const Surface& surface, const SurfacePoint
   return bank;
 }
 
-bool inFrontOfBank(const Surface& surface, const SurfacePoint& rim, const Vec3& tip) noexcept {
-  return (tip - rim.position).dot(bankNormal(surface, rim)) > releaseSlack(surface);
-}
-
 std::optional<SurfacePoint> findCrossedRim(const Surface& surface, const Vec3& from, const Vec3& tip,
                                            const tree::Crossing& entry) noexcept {
   const SurfaceGeometry& geometry = *surface.geometry;
@@ -336,7 +331,7 @@ std::optional<SurfacePoint> findCrossedRim(const Surface& surface, const Vec3& f
   if (nearest.triangle == kNoIndex) return {};
   const SurfacePoint rim{nearest.closest.point, nearest.triangle, nearest.closest.feature};
   const bool is_shallow = !enters && (tip - rim.position).norm() <= crackWidth(geometry);
-  if (is_shallow || inFrontOfBank(surface, rim, tip)) return {};
+  if (is_shallow || (tip - rim.position).dot(bankNormal(surface, rim)) > releaseSlack(surface)) return {};
   return rim;
 }
 

@@ -47,8 +47,8 @@ bool isInCrack(const SurfaceGeometry& geometry, Index triangle, const Vec3& plac
 /// tip.
 std::optional<SurfacePoint> otherBank(const Surface& surface, const SurfacePoint& rim, const Vec3& tip) noexcept;
 
-/// Whether the tip is in front of the skin beside a crack by more than rounding, as if the crack's wall went on flat.
-bool inFrontOfBank(const Surface& surface, const SurfacePoint& rim, const Vec3& tip) noexcept;
+/// The normal of the skin at the rim of a crack without what is in the crack there; unit.
+Vec3 bankNormal(const Surface& surface, const SurfacePoint& rim) noexcept;
 
 /// The rim that holds a tip which came into a crack in this tick, if it did. `entry`: where it passed the skin, if so.
 std::optional<SurfacePoint> findCrossedRim(const Surface& surface, const Vec3& from, const Vec3& tip,

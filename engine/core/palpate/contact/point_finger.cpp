@@ -57,10 +57,11 @@ WalkResult walkOverCracks(const Surface& surface, const SurfacePoint& from, cons
 }
 
 /// True when the tip has left the skin at the proxy. While the proxy is still on its way, the tip must have left the
-/// skin at the end of the walk, too; only then does the proxy go there.
-bool released(const Surface& surface, const WalkResult& walk, const Vec3& tip, FingerState& state) {
-  const bool over_crack = walk.at_crack && (tip - walk.at.position).norm() > crackWidth(*surface.geometry);
-  if (!(over_crack ? inFrontOfBank(surface, walk.at, tip) : inFrontOf(surface, walk.at, tip))) return false;
+/// skin at the end of the walk, too; only then does the proxy go there. `bank`: at the rim of a crack, its bankNormal.
+bool released(const Surface& surface, const WalkResult& walk, const Vec3& bank, const Vec3& tip, FingerState& state) {
+  const Vec3 offset = tip - walk.at.position;
+  const bool over_crack = walk.at_crack && offset.norm() > crackWidth(*surface.geometry);
+  if (!(over_crack ? offset.dot(bank) > releaseSlack(surface) : inFrontOf(surface, walk.at, tip))) return false;
   if (walk.finished) return true;
   const WalkResult end = walkOnOneSheet(surface, walk.at, tip, kUnbounded);
   if (!end.finished || !inFrontOf(surface, end.at, tip)) return false;
@@ -163,7 +164,8 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
     state.proxy = walk.at;
     state.guarded = walk.stopped;
     std::uint32_t status = walk.finished ? 0u : kCatchingUp;
-    bool leaves = released(surface, walk, tip, state);
+    const Vec3 bank = walk.at_crack ? bankNormal(surface, walk.at) : Vec3(Vec3::Zero());
+    bool leaves = released(surface, walk, bank, tip, state);
     const double lag = (walk.at.position - tip).norm();
     if (!leaves && lag > settings.max_depth_mm) {
       status |= kTooDeep;
@@ -180,6 +182,7 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
     if (!leaves) {
       press = pressAt(surface, settings, state.proxy, tip);
       press.status |= status;
+      press.bank = bank;
       shade(surface, settings, state.proxy, tip, press);
       if (!(press.status & kAtBorder) || press.felt_depth_mm > 0.0) return press;
     }

@@ -15,6 +15,7 @@ struct Press {
   double depth_mm = 0.0;       ///< p, along n
   double felt_depth_mm = 0.0;  ///< p as the force counts it: capped, faded at a border
   std::uint32_t status = 0;
+  Vec3 bank = Vec3::Zero();  ///< unit, at the rim of a crack: the skin there, into which friction must not lead
 };
 
 /// How far the proxy may move in this tick, mm.

@@ -96,6 +96,27 @@ mesh::TriangleMesh furrow() {
   return zoo::joined(mesh, below);
 }
 
+/// A sheet of 80 x 100 mm with a notch along its middle: 10 mm deep, of 8 degrees, a crack in its lowest third.
+mesh::TriangleMesh notchedSheet() {
+  constexpr Index kAcross = 9, kAlong = 10;
+  const double slope = std::tan(4.0 * kRadPerDeg);
+  mesh::TriangleMesh mesh;
+  for (Index j = 0; j <= kAlong; ++j) {
+    mesh.positions.emplace_back(-40.0, 10.0 * j, 0.0);
+    for (const double up : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0})
+      mesh.positions.emplace_back(slope * up / 0.3, 10.0 * j, std::abs(up) / 0.3 - 10.0);
+    mesh.positions.emplace_back(40.0, 10.0 * j, 0.0);
+  }
+  for (Index j = 0; j < kAlong; ++j) {
+    for (Index i = 0; i + 1 < kAcross; ++i) {
+      const Index a = j * kAcross + i;
+      mesh.triangles.push_back({a, a + 1, a + kAcross + 1});
+      mesh.triangles.push_back({a, a + kAcross + 1, a + kAcross});
+    }
+  }
+  return mesh;
+}
+
 /// Two sheets that face and pierce each other at 4 degrees.
 mesh::TriangleMesh piercingSheets() {
   mesh::TriangleMesh upper = zoo::grid(100), lower = upper;
@@ -193,6 +214,22 @@ TEST(NarrowCracks, APointThatComesDownIntoOneIsHeldByItsRim) {
   output = finger.slide({62, 52.3, -5}, 0.03);
   EXPECT_NEAR(output.force.z(), 2.5, 0.01);
   EXPECT_FALSE(touches(finger.slide({55.01, 52.3, 1}, 0.03)));
+}
+
+TEST(NarrowCracks, AtTheMouthOfOneInANotchFrictionDoesNotLeadIntoTheWall) {
+  const Surface surface = surfaceOf(notchedSheet());
+  for (const double y : {53.0, 57.0}) {
+    FingerTrack finger(surface);
+    finger.to({-2.5, y, 1});
+    finger.slide({-2.5, y, -1}, 0.5);
+    for (int tick = 0; tick < 3; ++tick) {  // from the bank to beside the wall at once
+      const FingerOutput output = finger.to({-0.4, y, -9.5});
+      ASSERT_LT(output.proxy.z(), -5.0) << "on the wall";
+      const Vec3 wall = faceNormal(surface.geometry->tree.records[finger.state().proxy.triangle]);
+      EXPECT_GT(output.force.norm(), 0.5);
+      EXPECT_GT(output.force.dot(wall), -1e-9) << "y = " << y << ", tick " << tick;
+    }
+  }
 }
 
 TEST(NarrowCracks, WiderOnesAreEntered) {
