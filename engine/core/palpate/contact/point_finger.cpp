@@ -187,7 +187,9 @@ Press pressPoint(const Surface& surface, const FingerSettings& settings, FingerS
       if (!(press.status & kAtBorder) || press.felt_depth_mm > 0.0) return press;
     }
     if (landOnNextSheet(surface, tip, state)) continue;
-    if (!isInside(surface, state, held, tip, lag + path)) return {};
+    // As far from `held` as the tip can have been in this tick.
+    const double reach = (held - state.tip).norm() + (tip - state.tip).norm();
+    if (!isInside(surface, state, held, tip, reach)) return {};
     holdInside(surface, tip, path, state);
     return pressAt(surface, settings, state.proxy, tip);
   }
