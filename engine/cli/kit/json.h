@@ -22,7 +22,7 @@ Json orNull(const std::optional<Number>& number) {
   return number ? Json(*number) : Json(nullptr);
 }
 
-/// What `make` makes of each of a list.
+/// Makes a JSON list by applying `make` to each item.
 template <class List, class Make>
 Json listJson(const List& list, const Make& make) {
   Json json = Json::array();

@@ -8,8 +8,8 @@ namespace palpate::app {
 /// By a program that has the network, before any command runs.
 void installClassPart(const training::ClassPart& part);
 
-/// What was installed. Where nothing was, this process becomes the program of `palpate class`, which goes on with the
-/// words that were typed. Throws Error, which says which package is missing.
+/// The installed part. Without one, this process becomes the program of `palpate class`, which continues with the words
+/// that were typed. Throws Error naming the missing package.
 const training::ClassPart& classPart();
 
 }  // namespace palpate::app

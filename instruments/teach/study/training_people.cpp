@@ -106,7 +106,7 @@ GroupRun groupRun(const std::vector<double>& before, const std::vector<double>& 
   return run;
 }
 
-/// Of people drawn at random; who was good before need not be good after.
+/// Simulates people drawn at random; who was good before need not be good after.
 GroupRun drawnGroupRun(std::size_t people, std::uint64_t seed) {
   Random random(seed);
   std::vector<double> before;

@@ -37,7 +37,7 @@ struct Holder {
 };
 Holder findHolder(const ViewerState& viewer, LiveServo& servo);
 
-/// What every session of the window is about.
+/// Body and sites, the same for every session of the window.
 struct TrainingGround {
   training::SiteSet sites = {};
   scene::Scene base = {};
@@ -47,7 +47,7 @@ struct TrainingGround {
 /// Throws Error for a body that does not have the places of the protocol.
 TrainingGround makeGround(const scene::World& world, const scene::Scene& base, const training::Protocol& protocol);
 
-/// What a session begins with.
+/// Everything that a session needs to begin.
 struct SessionStart {
   training::SessionKind kind;
   const SignIn& who;

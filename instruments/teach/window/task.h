@@ -57,13 +57,13 @@ struct Task {
   /// Where the screen's marks are seen, by their number from 1.
   virtual std::vector<SeenSite> look(const Sight& sight, KeyboardFinger& finger) = 0;
   virtual void handle(const TrainingStroke& stroke, KeyboardFinger& finger) = 0;
-  /// What a device's button means; nothing: the finger is at no place.
+  /// Clicks that a device's button stands for; none while the finger is at no place.
   virtual std::vector<TrainingClick> button() const = 0;
   /// `waiting`: for the body.
   virtual Acted act(const TrainingClick& click, bool waiting, const training::Moment& now) = 0;
 };
 
-/// What this kind of session trains, from now on. Throws Error where a resumed block does not fit.
+/// Starts the task of this kind of session. Throws Error where a resumed block does not fit.
 std::unique_ptr<Task> makeTask(const training::SessionPlan& plan);
 std::unique_ptr<Task> makeLumpsTask(const training::SessionPlan& plan, const training::Moment& now);
 

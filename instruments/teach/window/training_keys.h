@@ -31,7 +31,7 @@ struct TrainingStroke {
   Vec2 by = Vec2::Zero();
 };
 
-/// Of the mouse and the keys, all but what a test allows.
+/// True for every command of mouse and keys that a test does not allow.
 bool isForbidden(const window::Command& command);
 
 TrainingStroke interpretInput(const window::InputEvent& event, const TrainingScreen& screen);

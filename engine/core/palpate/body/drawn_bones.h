@@ -27,9 +27,9 @@ struct BonePlan {
 /// Edge of bones that are swept along a line and need no grid; a longer one would cross in the bend of a rib's neck.
 inline constexpr double kSweptEdgeMm = 2.2;
 
-/// Of T1 to L5. `row` must live as long as the plan.
+/// Plans a vertebra, T1 to L5. `row` must live as long as the plan.
 BonePlan vertebraPlan(const VertebraRow& row);
-/// Of rib `number` in 1..12; `row` likewise.
+/// Plans rib `number` in 1..12; `row` likewise.
 BonePlan ribPlan(int number, const RibRow& row, SweptEnd anterior = {});
 BonePlan scapulaPlan(const ScapulaPlace& place);
 

@@ -33,7 +33,7 @@ struct SkinLandmark {
   Vec3 bone_position;  ///< the point of the bone itself, mm
 };
 
-/// What lies under the skin of a body.
+/// Bones under the skin of a body, and how deep they lie.
 struct BonesUnderSkin {
   std::vector<Bone> bones;          ///< closed meshes in their place
   std::vector<double> depth_mm;     ///< a skin vertex each: distance to the nearest bone

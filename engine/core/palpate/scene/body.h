@@ -32,7 +32,7 @@ struct PlaneBlocks {
   std::vector<Eigen::AlignedBox2d> boxes;
 };
 
-/// What a body is made of: the first half of building a world.
+/// Parts of which a body is built: the first half of building a world.
 struct BodyParts {
   std::string name;         ///< for reports: "torso" or the file's name
   mesh::TriangleMesh skin;  ///< fit for contact, spatially ordered; triangle numbers everywhere are its own

@@ -42,7 +42,7 @@ contact::FingerOutput ContactSource::inBox(ContactSource& source, const contact:
 
 namespace {
 
-/// What was felt at rest, for a skin that has moved by this lift under the tip.
+/// Moves what was felt at rest with the skin, which has risen by this lift under the tip.
 void moveWithSkin(const body::BreathField& breath, double lift_mm, const Vec3& tip,
                   contact::FingerOutput& felt) noexcept {
   const bool lost = (felt.status & contact::kTipLost) != 0;

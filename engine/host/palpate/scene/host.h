@@ -1,5 +1,5 @@
-// What the core gets from a program on a usual system: files, threads, readers of foreign mesh files, and the user's
-// folders of made bodies and solved lumps.
+// Gives the core what a usual system has: files, threads, readers of foreign mesh files, and the user's folders of made
+// bodies and solved lumps.
 #pragma once
 
 namespace palpate {

@@ -88,7 +88,7 @@ struct PastTouches {
   }
 };
 
-/// What the window and the user say to each other: requests, messages, dialogs, files that are being written.
+/// Exchange between window and user: requests, messages, dialogs, files that are being written.
 struct Conversation {
   double now_s = 0.0;
   UiOutput output;

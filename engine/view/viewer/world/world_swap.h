@@ -24,7 +24,7 @@ struct OpenedScene {
 };
 OpenedScene sceneFromFile(const std::string& file, const scene::Scene& like);
 
-/// What a changed scene has effects on, in a frame.
+/// Everything that a changed scene affects, in a frame.
 struct SwapWork {
   EditedScene& edited;
   FingerHolders& holders;

@@ -25,7 +25,7 @@ struct LayeredFigureSettings {
 figures::Plot skinDownPlot();
 figures::Plot skinSidewaysPlot();
 
-/// Of a depth among `count` that increase, from dark to light; the lightest of the map cannot be read on white.
+/// Colours depth `i` of `count`, from dark to light; the lightest of the map cannot be read on white.
 figures::Colour depthColour(std::size_t i, std::size_t count);
 
 /// One table: its shapes by depth. Several: all of them at one depth, and their forces by depth.

@@ -105,7 +105,7 @@ figures::Figure figuresPicture(const RealismFigures& figures) {
   return figure;
 }
 
-/// What the work gives, which shows its progress.
+/// Runs the work with a progress line; returns its result.
 template <class Work>
 auto withProgress(const Work& work) {
   ProgressLine progress;

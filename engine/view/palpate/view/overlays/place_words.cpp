@@ -55,7 +55,7 @@ std::vector<std::string> wordsIn(std::string_view text) {
   return words;
 }
 
-std::string joinWords(std::span<const std::string> words) {
+std::string joinWithSpaces(std::span<const std::string> words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
   return text;
@@ -67,7 +67,7 @@ std::string nameInLanguage(const std::string& name) {
   for (std::string& word : words) {
     if (isNumber(word)) number = std::exchange(word, "{}");
   }
-  const std::string shape = joinWords(words);
+  const std::string shape = joinWithSpaces(words);
   const auto* known =
       std::ranges::find(kPlaceNames, shape, [](const char* words_of) { return std::string_view(words_of); });
   if (known == kPlaceNames.end()) return name;
@@ -94,7 +94,7 @@ std::string wordInLanguage(const std::string& word) {
 std::string settled(const std::string& name) {
   std::vector<std::string> words = wordsIn(inSmallLetters(name));
   std::ranges::sort(words);
-  return joinWords(words);
+  return joinWithSpaces(words);
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ std::string placeInLanguage(const std::string& english) {
     if (beginsDistance(words, i)) name_end = i;
   }
   const std::span<const std::string> all(words);
-  std::string text = nameInLanguage(joinWords(all.first(name_end)));
+  std::string text = nameInLanguage(joinWithSpaces(all.first(name_end)));
   for (const std::string& word : all.subspan(name_end)) text += " " + wordInLanguage(word);
   if (comma == std::string::npos) return text;
   text += ',';
@@ -130,12 +130,12 @@ std::string placeInEnglish(std::span<const body::SkinLandmark> landmarks, const 
     distances.emplace_back(*direction);
     distances.push_back(words[++i]);
   }
-  const std::string sought = settled(joinWords(name));
+  const std::string sought = settled(joinWithSpaces(name));
   const std::vector<std::string> names = body::placeNames(landmarks);
   const auto known =
       std::ranges::find_if(names, [&](const std::string& one) { return settled(placeInLanguage(one)) == sought; });
-  const std::string words_of_name = known == names.end() ? joinWords(name) : *known;
-  return distances.empty() ? words_of_name : words_of_name + " " + joinWords(distances);
+  const std::string words_of_name = known == names.end() ? joinWithSpaces(name) : *known;
+  return distances.empty() ? words_of_name : words_of_name + " " + joinWithSpaces(distances);
 }
 
 }  // namespace palpate::view

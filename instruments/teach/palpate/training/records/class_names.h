@@ -1,4 +1,4 @@
-// What names a class and what names its records, told apart from files.
+// Distinguishes names of classes and of their records from names of files.
 #pragma once
 
 #include <string_view>

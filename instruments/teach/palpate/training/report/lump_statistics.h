@@ -47,7 +47,7 @@ struct LumpStatistics {
   Spread error_mm;      ///< over lumps that were found
 };
 
-/// What lumps differ in, described once.
+/// A trait in which lumps differ, described once.
 struct LumpTrait {
   const char* name;   ///< in JSON
   const char* words;  ///< for a grade, in English, for tr()

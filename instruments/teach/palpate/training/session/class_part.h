@@ -1,4 +1,4 @@
-// What training asks of a class over the network, as functions that whoever has a network gives it: training itself
+// Functions by which training reaches a class over the network. A program with a network provides them: training itself
 // knows no broker and no database server.
 //
 //   folder ─ station ─► ClassStation ─ connect ─► ClassLink ◄─ window: samples, session        commands ─► window
@@ -54,7 +54,7 @@ struct ClassSecret {
   std::string key;  ///< as ClassStation::trainee_key
 };
 
-/// What was done in a class's database, and what of it still lies in the server's files, in words; empty: nothing.
+/// Whether rows were erased from a class's database, and what of them is still in the server's files (empty: nothing).
 struct ErasedFromDatabase {
   bool found = false;
   std::string left;
@@ -67,7 +67,7 @@ struct PurgedFromDatabase {
 /// All of it, in one place. An address is one that isDatabaseAddress knows; every function throws Error.
 struct ClassPart {
   ClassStation (*station)(const std::filesystem::path& folder) = nullptr;
-  /// Of a class's folder or a station's.
+  /// Reads the secret in a class's folder or a station's.
   ClassSecret (*secret)(const std::filesystem::path& folder) = nullptr;
   /// A snapshot, in memory: "database NAME".
   Store (*copyOfDatabase)(const std::string& address) = nullptr;

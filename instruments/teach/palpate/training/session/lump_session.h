@@ -17,8 +17,8 @@
 
 namespace palpate::training {
 
-/// Of the kind lump or lump_exam, with a plan that has `bodies`; its screens are instruction, trial (asks a
-/// question), feedback (what there was is shown, and can be felt), block_summary and finished.
+/// Session of the kind lump or lump_exam; its plan has `bodies`. Its screens are instruction, trial (asks a question),
+/// feedback (shows what there was, to be felt as well), block_summary and finished.
 class LumpSession final : public Sitting {
  public:
   /// Throws Error where a resumed block does not fit.

@@ -1,4 +1,4 @@
-// What sessions of every kind share: their screen and words, their clock, and the rows that they leave. Places are
+// Shared by sessions of every kind: their screen and words, their clock, and the rows that they leave. Places are
 // asked about in session.h, lumps in lump_session.h.
 //
 //   samples, "next", answers, pauses ─► Sitting ─► screen, words, rows to keep

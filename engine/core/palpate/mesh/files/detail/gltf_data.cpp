@@ -39,7 +39,7 @@ constexpr std::size_t kAnySize = std::min<std::uint64_t>(kExactInADouble, std::n
 
 enum ComponentType : int { kByte = 5120, kUnsignedByte, kShort, kUnsignedShort, kUnsignedInt = 5125, kFloat };
 
-/// 0 for a number that is no component type.
+/// 0 for an unknown component type.
 std::size_t bytesOf(int component_type) {
   constexpr std::array<std::size_t, 7> kBytes = {1, 1, 2, 2, 0, 4, 4};  // from kByte on
   return component_type >= kByte && component_type <= kFloat ? kBytes[component_type - kByte] : 0;
