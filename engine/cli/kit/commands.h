@@ -18,7 +18,7 @@ std::vector<std::string> withPresentCommand(std::vector<std::string> words);
 /// error, also when the standard output cannot be written; 128 and the signal's number after a signal (interruption.h).
 int runCommandLine(Command& app, const std::vector<std::string>& words);
 
-/// The words of the command that is running: for another program that goes on with it (families.h).
+/// The words of the command that is running: for another program that continues with it (families.h).
 const std::vector<std::string>& typedWords();
 
 /// `palpate body`, `palpate recording`: made on first use.

@@ -42,8 +42,8 @@ class ShadingGuard {
   double spare_s_ = 0.0;
 };
 
-/// Once a frame: lets the guard choose the drawing of the viewer's skin, and tells the user. `counts`: simpler drawing
-/// would gain something.
+/// Once a frame: lets the guard choose the drawing of the viewer's skin, and notifies the user. `counts`: simpler
+/// drawing would gain something.
 void guardShading(ShadingGuard& guard, BodyView& seen, double elapsed_s, bool counts, Conversation& user);
 
 }  // namespace palpate::viewer

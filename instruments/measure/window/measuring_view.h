@@ -53,7 +53,7 @@ struct SwapPhotos {};
 struct AcceptMeasurement {
   bool sure = false;  ///< despite objections
 };
-/// The work under way is given up.
+/// Cancels the work under way.
 struct CancelMeasuring {};
 using MeasuringRequest = std::variant<ShowPhoto, SwapPhotos, AcceptMeasurement, CancelMeasuring>;
 using MeasuringRequests = std::vector<MeasuringRequest>;

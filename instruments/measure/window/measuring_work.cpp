@@ -1,5 +1,5 @@
 // Marks need some hundredths of a second, so one measuring of them is always finished: while a slider is pulled,
-// results follow it. Photographs need seconds and are given up at their next report of progress.
+// results follow it. Photographs need seconds and are cancelled at their next report of progress.
 #include "measure/window/measuring_work.h"
 
 #include <algorithm>

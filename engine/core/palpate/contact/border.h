@@ -11,7 +11,7 @@ namespace palpate::contact {
 double beyondBorder(const Surface& surface, const SurfacePoint& place, const Vec3& point) noexcept;
 
 /// Depth that is still felt by a tip (a sphere's centre with `radius`) that is `beyond` the border: how deep it is
-/// below the sheet, continued flat, less how far it is beyond. 0 or less means let go.
+/// below the sheet, continued flat, less how far it is beyond. 0 or less releases it.
 ///
 /// A force towards the place would pull the finger under the sheet, and letting go at once is a step (2.7 N at 200 mm/s
 /// and 5 mm depth, against 0.1 N a tick here).

@@ -32,7 +32,7 @@ struct FingerSettings {
   double stiffness_ratio = 1.0;
   double mu_static = 0.46;
   double mu_dynamic = 0.44;
-  /// The deepest depth that is felt; a tip that is outside the body and farther than this from its proxy is let go.
+  /// The deepest depth that is felt; a tip that is outside the body and farther than this from its proxy is released.
   double max_depth_mm = 40.0;
   double tick_s = 0.001;
   /// The proxy moves at most twice as far as the tip plus this speed's share of a tick. It bounds the force step where
@@ -53,7 +53,7 @@ enum StatusBit : std::uint32_t {
   kLettingGo = 1u << 3,      ///< the contact has ended, its force fades: the tip came out elsewhere
   kAtBorder = 1u << 4,       ///< the force fades because the sheet ends here
   kStartedInside = 1u << 5,  ///< a sphere that overlaps the skin is being pushed out
-  kUnsettled = 1u << 6,      ///< a sphere used up its rounds; it goes on in the next tick (kCatchingUp is set too)
+  kUnsettled = 1u << 6,      ///< a sphere used up its rounds; it continues in the next tick (kCatchingUp is set too)
   kShadingFailed = 1u << 7,  ///< force shading fell back to the facets
 };
 
@@ -67,7 +67,7 @@ struct SurfacePoint {
 /// Where a sphere stood on the skin when its centre came to rest: its next tick need not ask the whole skin again.
 /// Holds only where the centre has not moved since; never changes what is felt.
 struct StandingPlaces {
-  static constexpr int kMax = 8;  ///< a sphere that stands on more asks again
+  static constexpr int kMax = 8;  ///< a sphere that rests on more queries again
   std::array<SurfacePoint, kMax> places;
   int count = -1;  ///< -1: not known
 };

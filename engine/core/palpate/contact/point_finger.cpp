@@ -1,15 +1,15 @@
 // One tick of a point finger: exact entry, bounded walk to the local minimum, border, exact release.
 //
 // The tip is free until its path crosses the skin from front to back, exactly (tree/exact_predicates.h). From then
-// on the proxy walks on the skin towards the tip, no further in a tick than the path bound, and the tip is let go when
-// it is in front of the proxy's tangent plane by more than rounding. Nothing here has an absolute length except the
-// settings.
+// on the proxy walks on the skin towards the tip, no further in a tick than the path bound, and the tip is released
+// when it is in front of the proxy's tangent plane by more than rounding. Nothing here has an absolute length except
+// the settings.
 //
 // Based on: Zilles and Salisbury, "A constraint-based god-object method for haptic display" (1995); Ho et al. (1999)
 // for the walk. The walk's proof of not falling through: the proxy never leaves the surface, so only a wrong release
 // could free a tip inside; release asks an exact normal and then the segment from proxy to tip. A proxy that is held in
 // a pocket, or by the near side of a limb that the tip has passed, needs no rescue: it stays, the depth that is felt
-// stays at its most, and the tip is let go when it is both too deep for its proxy and out of the body (sides.h).
+// stays at its most, and the tip is released when it is both too deep for its proxy and out of the body (sides.h).
 #include "palpate/contact/press.h"
 
 #include <algorithm>

@@ -32,7 +32,7 @@ inline double feltBound(const FingerSettings& settings, double tip_moved_mm) {
 /// Below this depth the direction from tip to proxy is rounding, and the skin's own normal is used.
 inline double directionlessDepth(const Surface& surface) { return 1e-11 * surface.geometry->tree.diagonal; }
 
-/// A tip is let go only when it is in front of the skin by more than rounding. Otherwise a tip released "on" the plane
+/// A tip is released only when it is in front of the skin by more than rounding. Otherwise one released "on" the plane
 /// would start its next segment behind it and fall through without an event.
 inline double releaseSlack(const Surface& surface) { return 1e-12 * surface.geometry->tree.diagonal; }
 

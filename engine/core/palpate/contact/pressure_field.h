@@ -1,5 +1,5 @@
-// The pressure under a fingertip, taxel by taxel: computed from what a finger felt in a tick, by whoever wants it, when
-// it is wanted. Nothing of it is stored, so a replay gives the same bits.
+// The pressure under a fingertip, taxel by taxel: computed on demand from what a finger felt in a tick. Nothing
+// of it is stored, so a replay gives the same bits.
 //
 //   FingerOutput, Lumps, PressureGround ─ pressureField ─► n x n taxels, kPa; shear
 //

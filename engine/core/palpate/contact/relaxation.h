@@ -5,8 +5,8 @@
 // A law F = k h(d) (tissue/force_law.h) is what the skin answers at once. Each term of Relaxation remembers an *eased
 // depth* x_i, an effective depth like h, that follows what the skin holds: x_i' = (s - x_i) / t_i, with
 // s = max(h(d), sum g_j x_j). So a press that is held pushes 1 - g as hard in the end, with g the sum of the shares; a
-// finger that leaves faster than the skin follows is let go at the depth sum g_i x_i, where the skin stays behind, and
-// the skin comes back by itself: s is then the skin's own depth and falls with t / (1 - g).
+// finger that leaves faster than the skin follows is released at the depth sum g_i x_i, where the skin stays behind,
+// and the skin recovers: s is then the skin's own depth and falls with t / (1 - g).
 //
 // It makes no energy. Let H be the integral of h and H* that of its inverse (its convex conjugate), and D the depth at
 // which h(D) = s: that of the finger where it presses, that of the skin where it does not. What is stored is

@@ -1,5 +1,5 @@
-// Inside and outside of the body as a whole: asked before a finger is let go that its proxy still holds, and before one
-// is held that may be inside already.
+// Inside and outside of the body as a whole: queried before a finger is released that its proxy still holds, and before
+// one is held that may be inside already.
 #pragma once
 
 #include "palpate/contact/finger_state.h"
@@ -7,9 +7,9 @@
 
 namespace palpate::contact {
 
-/// Whether a tip is out of the body, whose finger stands on skin nearer than `reach` to it. A closed surface tells by
-/// its winding number, of parts that overlap too. Of a body with holes, or a sheet, that tells less: there the tip has
-/// to be in front of the nearest place besides, and that must not be the border. Where that place is next to sheets
+/// Whether a tip is out of the body, whose finger stands on skin nearer than `reach` to it. A closed surface decides by
+/// its winding number, of parts that overlap too. Of a body with holes, or a sheet, that decides less: there the tip
+/// has to be in front of the nearest place besides, and that must not be the border. Where that place is next to sheets
 /// that pierce each other, it may be the back of a fold: then the winding number alone, where every border is farther
 /// than `reach`. About 1 us (tree/triangle_tree.h), at a fold some more.
 bool isOutside(const Surface& surface, const Vec3& tip, double reach) noexcept;
@@ -27,7 +27,7 @@ inline bool boundsTwoSectors(const Surface& surface, const SurfacePoint& place) 
   return surface.geometry->touches_itself && place.feature != tree::Feature::face;
 }
 
-/// Whether a tip that is about to be let go is inside the body and must not be: of an open one only where the finger
+/// Whether a tip that is about to be released is inside the body and must not be: of an open one only where the finger
 /// came from outside and every border is farther than `reach` from the tip, or from `held`, where the finger was when
 /// the tick began, so that it cannot have come in by an opening.
 bool isInside(const Surface& surface, const FingerState& state, const Vec3& held, const Vec3& tip,
@@ -46,7 +46,7 @@ bool isPastAnOpening(const Surface& surface, const Vec3& tip) noexcept;
 void noteWhereItComesFrom(const Surface& surface, FingerState& state) noexcept;
 
 /// In every tick of a finger that is held: once its tip is out, one that came from inside has come out. Sheets that
-/// pierce each other may hold it all the way, and it must not be let go inside when it comes back.
+/// pierce each other may hold it all the way, and it must not be released inside when it comes back.
 void noteThatItCameOut(const Surface& surface, const Vec3& tip, FingerState& state) noexcept;
 
 }  // namespace palpate::contact

@@ -3,7 +3,7 @@
 // Every place the centre takes fits (nowhere nearer to the skin than the radius), every one is nearer to the tip than
 // the one before, the straight way between two of them crosses no skin, and all together they stay within the path
 // bound. So the sphere cannot fall through and cannot swing, whatever happens: when the rounds are used up, the centre
-// is still at a good place and the next tick goes on from there.
+// is still at a good place and the next tick continues from there.
 #pragma once
 
 #include "palpate/contact/finger_state.h"

@@ -110,8 +110,8 @@ bool landSphere(const Surface& surface, double radius, FingerState& state, const
   return true;
 }
 
-/// The same for a tip that a border has just let go: whether its sphere overlaps other skin there. Past the opening it
-/// may be free.
+/// The same for a tip that a border has just released: whether its sphere overlaps other skin there. Past the opening
+/// it may be free.
 bool landInPlace(const Surface& surface, double radius, FingerState& state, const Vec3& tip, const NearbySkin* nearby) {
   const bool lands = !isPastAnOpening(surface, tip) && !reachesIntoEdge(surface, tip, radius) &&
                      overlapsFront(surface, tip, radius, nearby);

@@ -61,7 +61,7 @@ struct ShearLimit::Fold {
   double area = 0.0;  ///< squared, at rest
   double linear = 0.0;
   double square = 0.0;
-  bool has_sides = false;  ///< false if it is too thin to fold, or has numbers that are none
+  bool has_sides = false;  ///< false if it is too thin to fold, or has numbers that are not finite
 
   Fold(const Skin& skin, const Triangle& triangle, const DeformedBlock& surface) noexcept {
     Vec3 rest[3];

@@ -25,7 +25,7 @@ struct Intersections {
   std::vector<Index> pierced_triangles;  ///< whose inside is met; ascending, each once
   std::vector<Index> touched_triangles;  ///< met by edges that only touch; the same
   std::vector<Crossing> crossings;       ///< sorted by edge, then by triangle
-  bool complete = true;  ///< false: the search was given up because of too many overlaps; the results so far are real
+  bool complete = true;  ///< false: the search was stopped because of too many overlaps; the results so far are real
 };
 
 /// Edges whose ends are clearly on both sides of a triangle that they cross. Ending on it and being in its plane do not

@@ -1,7 +1,7 @@
 // The checked errata of the dissertation, E1 to E34: what is printed, what this engine does instead, and whether the
 // printed form can be switched on.
 //
-// The list is what docs/reference/dissertation.md tells at length and `palpate study errata` measures. The set of
+// The list is what docs/reference/dissertation.md explains at length and `palpate study errata` measures. The set of
 // errata taken literally is a Fidelity (base/fidelity.h); scene files and commands name it with the words read here.
 #pragma once
 

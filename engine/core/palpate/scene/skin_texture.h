@@ -1,6 +1,6 @@
 // A picture on the skin: of a mesh by the file's own texture coordinates, carried over to the skin that was mended and
-// reordered; of a built-in body as two photographs side by side. The picture stays as its file holds it. Whoever draws
-// decodes it; this room draws nothing.
+// reordered; of a built-in body as two photographs side by side. The picture stays as its file holds it. The
+// renderer decodes it; the core draws nothing.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct SkinTexture {
   TextureSource source;
   std::string picture;                        ///< the bytes of a PNG or JPEG file; empty where it is made
   std::vector<mesh::TextureCorners> corners;  ///< a triangle of the skin each
-  std::optional<MadeSkin> made = {};          ///< the picture is painted by whoever draws (view/made_skin.h)
+  std::optional<MadeSkin> made = {};          ///< the renderer paints the picture (view/made_skin.h)
 };
 
 /// Throws Error: where the scene file names the texture, which file that is, and what is wrong with it.

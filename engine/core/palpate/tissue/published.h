@@ -10,7 +10,7 @@
 
 namespace palpate::tissue {
 
-/// Young's modulus at rest, kPa; low and high are the same where a source tells one number.
+/// Young's modulus at rest, kPa; low and high are the same where a source gives one number.
 struct PublishedModulus {
   std::string_view tissue;  ///< "skin", "fat", "muscle"
   double low_kpa = 0.0;

@@ -37,7 +37,7 @@ class Handover {
 
   /// Taking thread: replaces `current`, which is not null, by what was offered. In between `adopt(current, next)` may
   /// move things from the one to the other; nothing of the old one may be touched afterwards. False when there is
-  /// nothing, or when what was put down last time has not been collected. Never waits, allocates or frees.
+  /// nothing, or when what was released last time has not been collected. Never waits, allocates or frees.
   template <class Adopt>
   bool receive(std::unique_ptr<T>& current, const Adopt& adopt) noexcept {
     if (offered_.load(std::memory_order_relaxed) == nullptr) return false;

@@ -233,7 +233,7 @@ class Replay {
       chain.limiter.closes_loop = limiter.closes_loop;
       chain.solver.handover.follows = limiter.follows_exchange;
     }
-    worlds_.push_back(world);  // a solver that was put down still points to the one before
+    worlds_.push_back(world);  // a solver that was released still points to the one before
     number_ = number;
     if (settings_.entered) settings_.entered(number, world);
   }

@@ -75,7 +75,7 @@ constexpr std::array kLimiterFields = {
     passivity<&servo::PassivitySettings::most_n>("passivity_most_n"),
     // The solver's: recordings from before it stepped where a surface was exchanged in contact.
     field<RecordedLimiter, &RecordedLimiter::follows_exchange>("follows_exchange"),
-    // Written only where it is true: recordings of before have none.
+    // Written only where it is true: earlier recordings have none.
     limit<&Limits::unsafe>("unsafe_stiffness"),
 };
 

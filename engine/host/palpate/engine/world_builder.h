@@ -3,8 +3,7 @@
 //   request ─► worker thread of low priority [ read? ─ scene::build or rebuilt ─ check? ] ─► collectResult ─►
 //   ServoThread::change
 //
-// A build is given up at its next sign of life (a progress report) when a newer request, a cancellation or the end
-// comes.
+// A build is cancelled at its next progress report when a newer request, a cancellation or the end comes.
 #pragma once
 
 #include <atomic>

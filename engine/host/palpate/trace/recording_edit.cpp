@@ -224,7 +224,7 @@ class Chain {
  public:
   Chain(RecordingWriter& writer, const RecordingFacts& first) : writer_(writer), first_(first) {}
 
-  /// Before any tick: what all depends on stands at the beginning of the file, where a cut does not reach it.
+  /// Before any tick: what everything depends on is at the beginning of the file, where a cut does not reach it.
   void addWorlds(RecordingReader& recording) {
     first_worlds_.push_back(worlds_);
     const std::uint64_t first = firstWorldNumber(recording);

@@ -3,7 +3,7 @@
 //
 //   RecordingReader ─ ticks, events, attachments, worlds that are needed ─► RecordingWriter, beside the target
 //
-// Two kinds of events say where time is missing, for whoever feels it again (engine/recording_replay.h): "trim", where
+// Two kinds of events mark where time is missing, for a replay (engine/recording_replay.h): "trim", where
 // every finger was at rest, so that all forces are proven from there; "cut", where one was not (that finger, or all):
 // nothing can be proven until it rests.
 #pragma once

@@ -112,7 +112,7 @@ class Repair {
  private:
   // --- what the blocks need ---
 
-  /// The file's own; where they are lost, or a name among them is none, first those of each version: a row of one has
+  /// The file's own; where they are lost, or one has an invalid name, first those of each version: a row of one has
   /// another length than that of another.
   void chooseColumns() {
     std::vector<SampleColumn> own;

@@ -58,7 +58,7 @@ struct RecordingEvent {
   std::string text;
 };
 
-// Kinds of events that say where time is missing, for whoever feels it again (engine/recording_replay.h).
+// Kinds of events that mark where time is missing, for a replay (engine/recording_replay.h).
 
 inline constexpr std::string_view kTrimEvent = "trim";
 inline constexpr std::string_view kCutEvent = "cut";
@@ -133,7 +133,7 @@ class RecordingWriter {
 };
 
 /// A finished copy of a recording that is being written, or of any other, with what has been written of it by now;
-/// ended by `ended_by` where it had no end. Its writer goes on meanwhile. Throws Error.
+/// ended by `ended_by` where it had no end. Its writer continues meanwhile. Throws Error.
 void copyRecording(const std::filesystem::path& recording, const std::filesystem::path& copy,
                    std::string_view ended_by);
 

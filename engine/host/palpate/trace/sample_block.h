@@ -32,8 +32,8 @@ struct SampleColumn {
 /// Those of this version, which it writes. A reader is told those of its file.
 std::span<const SampleColumn> sampleColumns();
 
-/// The column of this name as a file has it: one that this version does not know is read over. Throws Error for a type
-/// that there is none of, and for a known column of another type.
+/// The column of this name as a file has it: one that this version does not know is skipped. Throws Error for an
+/// unknown type, and for a known column of another type.
 SampleColumn columnOf(std::string_view name, std::string_view type);
 
 /// Most rows of a block; more in a file are refused.

@@ -61,9 +61,9 @@ class SqlitePages {
   std::uint64_t bytes() const { return file_.size(); }
   /// The file's first bytes are those of an SQLite file.
   bool hasHeader() const { return has_header_; }
-  /// Bytes at the file's end that the header tells of and that are not there; 0 also where it is not known.
+  /// Bytes at the file's end that the header names and that are missing; 0 also where it is not known.
   std::uint64_t bytesMissing() const;
-  /// The application id and the version that the header tells; 0 without one.
+  /// The application id and the version in the header; 0 without one.
   std::uint32_t application() const { return application_; }
   std::uint32_t version() const { return version_; }
   /// Pages of the write-ahead log that belong to the file, and those that are damaged.

@@ -40,7 +40,7 @@ struct ClassFolder {
   int port = kStandardPort;
   Retention retention;
   std::int64_t station_megabytes = kStationBytes >> 20;  ///< a station's share of the disk, since the last purge
-  std::string trainee_key;                               ///< empty: the class is of before there was one
+  std::string trainee_key;                               ///< empty: the class is older than this key
   std::vector<std::string> stations;                     ///< names, in order
 
   std::filesystem::path broker() const { return folder / "broker"; }

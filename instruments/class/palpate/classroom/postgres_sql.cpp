@@ -18,7 +18,7 @@ namespace {
 using training::SqlValue;
 using training::SqlValues;
 
-/// A server that does not answer at all is given up on.
+/// Time after which a server that does not answer counts as unreachable.
 constexpr const char* kConnectTimeoutS = "5";
 
 // Types of columns (PostgreSQL's catalogue pg_type; fixed for ever).

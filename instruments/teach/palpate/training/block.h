@@ -4,8 +4,8 @@
 //   BlockSettings, seed ─► Block ─ next ─► PlannedTrial ─ (an answer) ─► TrialOutcome ─ answer ─► Block ...
 //   result
 //
-// Deterministic: the same settings, seed and outcomes give the same trials, also when the block was put down and taken
-// up again (`state`, `resumed`). Knows no clock, no window and no body.
+// Deterministic: the same settings, seed and outcomes give the same trials, also when the block was left and
+// resumed (`state`, `resumed`). Knows no clock, no window and no body.
 // Based on: marginal psi (marginal_psi.h); Levitt 1971 and Garcia-Perez 1998 (staircase.h); the mastery rule of the
 // Virtual Haptic Back.
 #pragma once

@@ -59,7 +59,7 @@ struct Protocol {
   double base_n_per_mm = 0.3;      ///< for the uniform tissue of tests
   HiddenPlace hidden;
   ExplorationSettings exploration;
-  double break_after_min = 15.0;  ///< a block is offered to be put down after this long; 0: never
+  double break_after_min = 15.0;  ///< a break is offered after this long; 0: never
   double least_days_to_retention = 7.0;
   SessionSettings practice, mastery, pre_test, post_test, exam, retention;
   std::optional<lumps::LumpTask> lump = {};  ///< for sessions with lumps; nothing without them

@@ -11,7 +11,7 @@
 namespace palpate::device::forcedimension {
 
 /// Answers of the library: below zero an error, above it a remark.
-inline constexpr int kTimeGuard = 1;       ///< asked too soon: the data are those of before
+inline constexpr int kTimeGuard = 1;       ///< asked too soon: the data have not changed
 inline constexpr int kMotorSaturated = 2;  ///< the force was shortened
 
 /// Every function takes the number of an opened device last.

@@ -67,7 +67,7 @@ struct Opened {
   std::string remedy;
 };
 
-/// The device of that index, or the first that this program does not hold. Throws Error for axes that are none.
+/// The device of that index, or the first that this program does not hold. Throws Error for invalid axes.
 Opened openDriver(const Api& api, const OpenOptions& options);
 
 /// Their number, as the library counts them.

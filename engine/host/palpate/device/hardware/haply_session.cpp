@@ -198,7 +198,7 @@ void Session::publishReply(Slot& slot, const Reply& reply, bool late) {
   slot.link.publish(reading);
 }
 
-/// Without words: those of before still hold.
+/// Without words: the earlier ones still hold.
 void Session::publishTrouble(Slot& slot, const std::string& trouble) noexcept {
   DriverReading reading;
   reading.faults = kDriverError;

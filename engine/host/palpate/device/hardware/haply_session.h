@@ -110,7 +110,7 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// The device of that id or hand, or the first that is not held. Throws Error for axes that are none.
+  /// The device of that id or hand, or the first that is not held. Throws Error for invalid axes.
   Added add(const OpenOptions& options);
   /// Zero force, then none: the service lets the device become idle. The last one closes the connection.
   void release(const std::shared_ptr<Slot>& slot);

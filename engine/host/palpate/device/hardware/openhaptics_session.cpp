@@ -71,7 +71,7 @@ constexpr std::array kModelNames = {
     ModelName{"premium", "1.5", scene::DeviceModel::premium_1_5},
     ModelName{"premium", "", scene::DeviceModel::unknown},
     ModelName{"omni", "", scene::DeviceModel::omni},
-    ModelName{"desktop", "", scene::DeviceModel::touch_x},  // the Touch X of before
+    ModelName{"desktop", "", scene::DeviceModel::touch_x},  // predecessor of the Touch X
     ModelName{"touch x", "", scene::DeviceModel::touch_x},
     ModelName{"touch", "", scene::DeviceModel::touch},
 };

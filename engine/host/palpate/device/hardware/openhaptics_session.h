@@ -51,7 +51,7 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// Initialises a device and puts it on the scheduler. Throws Error for axes that are none.
+  /// Initialises a device and puts it on the scheduler. Throws Error for invalid axes.
   Added add(const OpenOptions& options);
   /// Zero force at once; the driver releases the device with the last of them.
   void release(const std::shared_ptr<Slot>& slot);

@@ -15,7 +15,7 @@ namespace palpate::device::plugin {
 
 namespace {
 
-/// Exchanges without an answer after which a device is given up, 10 ms.
+/// Exchanges without an answer after which a device is closed, 10 ms.
 constexpr int kLostAfter = 20;
 
 using Room = std::array<char, kWordsRoom>;

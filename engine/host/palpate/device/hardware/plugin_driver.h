@@ -75,7 +75,7 @@ class Driver {
 
   /// Zero force, and the plugin releases the device; it is not called from then on.
   void releaseDevice() noexcept;
-  /// Opens a device again that was given up; true when it is there.
+  /// Reopens a device that was closed for its failures; true when it is there.
   bool revive();
   /// Its present fault, in words; empty: none.
   std::string explain();
@@ -88,7 +88,7 @@ class Driver {
   std::string pluginErrorText() noexcept;
 
   const palpate_device_table& table_;
-  palpate_device_handle device_;  ///< null: given up
+  palpate_device_handle device_;  ///< null: closed for its failures
   DeviceFrame frame_;
   Capabilities capabilities_;
   DriverLink link_;
@@ -111,7 +111,7 @@ struct Opened {
   std::string reason;
 };
 
-/// Throws Error for axes that are none.
+/// Throws Error for invalid axes.
 Opened openDriver(const palpate_device_table& table, const std::string& which, const OpenOptions& options);
 
 }  // namespace palpate::device::plugin

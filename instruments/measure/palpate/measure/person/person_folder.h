@@ -3,7 +3,7 @@
 //   protocol.toml, pictures, forces.csv ─ walkPerson ─► PersonWalk ─ writePerson ─► person.csv, scene.toml, summary
 //
 // Pictures stay where they are. What each press gave is kept in measured.toml with a hash of its pictures, and measured
-// again only when they, or the measuring settings, have changed; a decision of before goes with them.
+// again only when they, or the measuring settings, have changed; an earlier decision goes with them.
 #pragma once
 
 #include <cstdint>

@@ -45,8 +45,8 @@ requires(!std::same_as<R, AnyRow> && !std::same_as<R, Row> && std::constructible
 /// Text is longer than no honest row.
 inline constexpr std::size_t kLongestRowJson = 65536;
 
-/// Believes nothing: unknown or missing keys, wrong types, numbers out of range, ids that are none, paths that lead
-/// elsewhere are refused. Throws Error ("trial: 'change' is 7, not within 0 to 1").
+/// Trusts nothing: unknown or missing keys, wrong types, numbers out of range, invalid ids, paths that lead elsewhere
+/// are refused. Throws Error ("trial: 'change' is 7, not within 0 to 1").
 AnyRow rowFromJson(std::string_view kind, std::string_view text);
 
 /// The key in OutboxEntry::row and in an acknowledgement: the id of a trial or event, which never changes; else a UUID

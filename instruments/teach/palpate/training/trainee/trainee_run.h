@@ -27,17 +27,17 @@ struct TraineeOrders {
   /// Rows in their order, after each answer and screen: a trial counts when this returns.
   std::function<void(std::vector<Row>)> save = {};
   std::function<void(const TrialRow&)> answered = {};  ///< once its rows are kept; may be empty
-  std::function<bool()> stop = {};                     ///< asked before each press: true puts the block down
+  std::function<bool()> stop = {};                     ///< queried before each press: true leaves the block
 };
 
-/// Of either kind of session: from screen to screen.
+/// Leads a simulated trainee through either kind of session, from screen to screen.
 class SittingRun {
  public:
   virtual ~SittingRun() = default;
   SittingRun(const SittingRun&) = delete;
   SittingRun& operator=(const SittingRun&) = delete;
 
-  /// To the end of the block, or until it is put down.
+  /// Runs to the end of the block, or until it is left.
   void run();
   Moment now() const;
 
