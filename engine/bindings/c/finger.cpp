@@ -79,9 +79,9 @@ void step(palpate_finger& finger, const double* tip_mm, palpate_touch* touch, st
 
 /// A pad of C's numbers: room for the largest is on the stack.
 void press(const palpate_finger& finger, const contact::PressurePad& pad, float* kpa, float* shear_kpa) noexcept {
-  constexpr std::size_t kMaxCells = contact::kMaxTaxels * contact::kMaxTaxels;
-  std::array<double, kMaxCells> normal;
-  std::array<Vec2, kMaxCells> shear;
+  constexpr std::size_t kMax = contact::kMaxTaxels * contact::kMaxTaxels;
+  std::array<double, kMax> normal;
+  std::array<Vec2, kMax> shear;
   const std::size_t count = pad.taxels * pad.taxels;
   const std::uint64_t ticks = finger.finger.ticks;
   finger.pressure->at(finger.felt, ticks == 0 ? 0 : ticks - 1, pad, std::span(normal).first(count),

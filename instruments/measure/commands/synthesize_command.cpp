@@ -94,7 +94,7 @@ void changeMarks(const SynthesizeArguments& arguments, measure::DotMarks& marks)
   marks.corner_mm = -0.5 * marks.spacing_mm * Vec2(marks.columns - 1, marks.rows - 1);
 }
 
-SyntheticCase drawRequestedCase(const SynthesizeArguments& arguments) {
+SyntheticCase caseFor(const SynthesizeArguments& arguments) {
   if (arguments.contact_mm.size() == 1) throw UsageError("--contact-mm", "expected two numbers, x,y");
   SyntheticCase made =
       measure::drawCase(static_cast<std::uint64_t>(arguments.seed),
@@ -130,7 +130,7 @@ void printResult(const SynthesizeArguments& arguments, const std::vector<std::fi
 }
 
 void runSynthesize(const SynthesizeArguments& arguments) {
-  const SyntheticCase made = drawRequestedCase(arguments);
+  const auto made = caseFor(arguments);
   const std::filesystem::path folder = arguments.folder;
   const MadeFolder made_folder(folder);
   ProgressLine progress;

@@ -27,7 +27,7 @@ constexpr std::array kFamilyColours = {figures::kBlue, figures::kVermilion};
 
 std::string familyName(TailFamily family) { return fmt::format("{} tail", nameOf(family)); }
 
-std::string medianAndP95(const Percentiles& numbers) {
+std::string both(const Percentiles& numbers) {
   return std::isnan(numbers.median) ? "-" : fmt::format("{} / {}", rounded(numbers.median), rounded(numbers.p95));
 }
 
@@ -42,14 +42,14 @@ std::vector<std::string> setRow(const std::string& name, const std::vector<Judge
   const SetNumbers set = numbersOf(pairs);
   return {name,
           fmt::format("{} of {}", set.accepted, set.pairs),
-          medianAndP95(set.axis2_percent),
-          medianAndP95(set.axis4_percent),
-          medianAndP95(set.ratio),
-          medianAndP95(set.direction_deg),
-          medianAndP95(set.contact_mm),
-          medianAndP95(set.drag_deg),
-          medianAndP95(set.peak_percent),
-          medianAndP95(set.displacement_mm),
+          both(set.axis2_percent),
+          both(set.axis4_percent),
+          both(set.ratio),
+          both(set.direction_deg),
+          both(set.contact_mm),
+          both(set.drag_deg),
+          both(set.peak_percent),
+          both(set.displacement_mm),
           percent(set.within_2_sd)};
 }
 

@@ -46,7 +46,7 @@ struct SkinPlanes {
 };
 
 /// With more triangles, too many lie under a fingertip to be gathered.
-inline constexpr std::size_t kMaxTrianglesWithPlanes = 400'000;
+inline constexpr std::size_t kMaxPlanes = 400'000;
 
 /// About 50 ns a triangle.
 std::shared_ptr<const SkinPlanes> planesOf(std::shared_ptr<const SurfaceGeometry> geometry);

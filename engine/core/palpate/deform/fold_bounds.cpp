@@ -70,7 +70,7 @@ void forEachTriangleAt(const Skin& skin, Index block, const Visit& visit) {
   }
 }
 
-void raiseTo(float& most, double value) { most = std::max(most, static_cast<float>(value)); }
+void raise(float& most, double value) { most = std::max(most, static_cast<float>(value)); }
 
 /// Shapes of the triangles at the vertices of one block, each once. Those of a whole body would need 48 bytes a
 /// triangle.
@@ -104,11 +104,11 @@ FoldBound computeFoldBound(const Skin& skin, const ShapesOfBlock& shapes, Index 
   if (sum.norm() > 0.0) bound.axis = sum.normalized().cast<float>();
   double cos_cone = 1.0;
   forEachTriangleAt(skin, block, [&](Index t, Index) {
-    raiseTo(bound.longest_mm, shapes[t].longest_mm);
+    raise(bound.longest_mm, shapes[t].longest_mm);
     if (shapes[t].spread == 0.0) return;
     cos_cone = std::min(cos_cone, shapes[t].normal.dot(bound.axis.cast<double>()));
-    raiseTo(bound.spread, shapes[t].spread);
-    raiseTo(bound.gradient_mm, shapes[t].gradient_mm);
+    raise(bound.spread, shapes[t].spread);
+    raise(bound.gradient_mm, shapes[t].gradient_mm);
   });
   bound.cos_cone = static_cast<float>(cos_cone) - 1e-6f;  // rounding
   return bound;
@@ -144,8 +144,8 @@ void setFoldBounds(Skin& skin) {
     skin.fold_bounds.push_back(computeFoldBound(skin, shapes, block));
     forEachTriangleAt(skin, block, [&](Index t, Index v) {
       if (shapes[t].spread == 0.0) return;
-      raiseTo(skin.fold_gradient_mm[v], shapes[t].gradient_mm);
-      raiseTo(skin.fold_crease[v], (shapes[t].normal - skin.restNormal(v).cast<double>()).norm());
+      raise(skin.fold_gradient_mm[v], shapes[t].gradient_mm);
+      raise(skin.fold_crease[v], (shapes[t].normal - skin.restNormal(v).cast<double>()).norm());
     });
   }
 }

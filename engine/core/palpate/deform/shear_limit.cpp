@@ -169,7 +169,7 @@ bool ShearLimit::hasOpposingPulls() const noexcept {
 }
 
 /// Shortens what moves the ends of the vertex's edges apart. True if anything was.
-bool ShearLimit::limitPartingAt(Index vertex, const DeformedBlock& surface) noexcept {
+bool ShearLimit::limitParting(Index vertex, const DeformedBlock& surface) noexcept {
   bool any = false;
   for (const Index beside : skin_.neighbours[vertex]) {
     const float room = kMaxParting * (skin_.restPosition(vertex) - skin_.restPosition(beside)).norm();
@@ -186,7 +186,7 @@ void ShearLimit::joinSeams(const DeformedBlock& surface) noexcept {
   if (pulls_.size() < 2 || !hasOpposingPulls()) return;
   for (int turn = 0; turn < kSeamTurns; ++turn) {
     bool any = false;
-    forEachMoved([&](Index v) { any = limitPartingAt(v, surface) || any; });
+    forEachMoved([&](Index v) { any = limitParting(v, surface) || any; });
     if (!any) return;
   }
 }

@@ -123,7 +123,7 @@ class ShearLimit {
   template <class Curves>
   void roomAlongSurface(const Curves& curves) noexcept;
   bool hasOpposingPulls() const noexcept;
-  bool limitPartingAt(Index vertex, const DeformedBlock& surface) noexcept;
+  bool limitParting(Index vertex, const DeformedBlock& surface) noexcept;
   void holdWithin(Index vertex, float room_mm, const DeformedBlock& surface) noexcept;
   void hold(Index vertex, float share, const DeformedBlock& surface) noexcept;
   void noteHeld(Index vertex) noexcept;

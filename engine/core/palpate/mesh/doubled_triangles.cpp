@@ -40,11 +40,12 @@ void removeMarked(TriangleMesh& mesh, const std::vector<bool>& marked) {
 /// The triangles over three vertices, counted with their sign.
 struct TwinCount {
   std::array<std::vector<Index>, 2> wound;  // [1] runs up
-  /// Surplus of one way over the other, and its way.
+  /// Surplus of one winding over the other.
   std::size_t surplus() const {
     return std::max(wound[0].size(), wound[1].size()) - std::min(wound[0].size(), wound[1].size());
   }
-  std::size_t surplusSide() const { return wound[1].size() > wound[0].size() ? 1 : 0; }
+  /// Winding with more triangles, an index into `wound`.
+  std::size_t larger() const { return wound[1].size() > wound[0].size() ? 1 : 0; }
 };
 
 TwinCount countTwins(const TriangleMesh& mesh, const TwinGroup& group) {
@@ -128,8 +129,8 @@ void cancelTwins(TriangleMesh& mesh, const std::vector<TwinGroup>& groups, Doubl
       }
       continue;
     }
-    const auto& more = count.wound[count.surplusSide()];
-    const auto& fewer = count.wound[1 - count.surplusSide()];
+    const auto& more = count.wound[count.larger()];
+    const auto& fewer = count.wound[1 - count.larger()];
     for (const Index t : fewer) marked[t] = true;
     for (std::size_t i = surplus; i < more.size(); ++i) marked[more[i]] = true;
     removed.cancelled += fewer.size();

@@ -74,7 +74,7 @@ std::shared_ptr<const Body> builtBody(BodyParts parts, std::optional<double> thi
     throw;
   }
   report(progress, "building the contact surface", kSurfaceShare);
-  if (skin.triangles.size() <= contact::kMaxTrianglesWithPlanes) body->planes = contact::planesOf(body->geometry);
+  if (skin.triangles.size() <= contact::kMaxPlanes) body->planes = contact::planesOf(body->geometry);
   noteNarrowCracks(*body->geometry, body->notes);
   body->box = mesh::boundingBox(skin);
   body->vertex_blocks = buildPlaneBlocks(

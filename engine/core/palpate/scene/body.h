@@ -50,8 +50,7 @@ struct BodyParts {
 
 struct Body : BodyParts {
   std::shared_ptr<const contact::SurfaceGeometry> geometry;
-  std::shared_ptr<const contact::SkinPlanes>
-      planes;                                ///< of the geometry; null for more than contact::kMaxTrianglesWithPlanes
+  std::shared_ptr<const contact::SkinPlanes> planes;  ///< of the geometry; null for more than contact::kMaxPlanes
   deform::Skin deformable;                   ///< as the settings that it was built for want it (World::deformable)
   std::optional<double> thickness_limit_mm;  ///< up to which its parts were measured; nothing: they were not
   Eigen::AlignedBox3d box;

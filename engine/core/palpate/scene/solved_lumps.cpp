@@ -58,12 +58,12 @@ std::optional<std::vector<SolvedPush>> solvedPushes(const tissue::LumpShape& lum
 
 std::vector<tissue::ForceCorrection> correctionOf(std::span<const SolvedPush> pushes, const tissue::LumpEnergy& table) {
   constexpr double kHardlyN = 1e-4;  // the solver's own noise
-  constexpr double kMaxCorrection = 4.0;
+  constexpr double kMaxRatio = 4.0;
   std::vector<tissue::ForceCorrection> correction;
   for (const SolvedPush& push : pushes) {
     const double plain = table.forceAt(0.0, push.depth_mm);
     const double factor = std::abs(plain) > kHardlyN ? push.extra_n / plain : 1.0;
-    correction.push_back({push.depth_mm, std::clamp(factor, 1.0 / kMaxCorrection, kMaxCorrection)});
+    correction.push_back({push.depth_mm, std::clamp(factor, 1.0 / kMaxRatio, kMaxRatio)});
   }
   return correction;
 }

@@ -38,10 +38,10 @@ std::vector<Number> listIn(const mesh::JsonValue& of, std::string_view name) {
 }
 
 std::vector<int> layersIn(const mesh::JsonValue& of) {
-  constexpr double kMaxLayerIndex = 1000.0;
+  constexpr double kMax = 1000.0;
   std::vector<int> layers;
   for (const double layer : listIn<double>(of, "row_layers")) {
-    if (!(layer >= 0.0 && layer < kMaxLayerIndex && layer == static_cast<int>(layer))) {
+    if (!(layer >= 0.0 && layer < kMax && layer == static_cast<int>(layer))) {
       of["row_layers"].fail("\"row_layers\" must be whole numbers from 0");
     }
     layers.push_back(static_cast<int>(layer));

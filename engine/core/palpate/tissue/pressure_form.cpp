@@ -78,8 +78,8 @@ double radiusOf(const LumpShape& lump) noexcept {
 
 PressurePattern overLumps(PressurePattern pattern, double widening) noexcept {
   constexpr double kWidening = 0.1;
-  constexpr double kMaxWidening = 0.3;
-  pattern.contact_radius_mm *= 1.0 + kWidening * std::clamp(widening, 0.0, kMaxWidening);
+  constexpr double kMax = 0.3;
+  pattern.contact_radius_mm *= 1.0 + kWidening * std::clamp(widening, 0.0, kMax);
   return pattern;
 }
 

@@ -122,7 +122,7 @@ ContactWorld buildContactWorld(mesh::TriangleMesh mesh_mm, double scale, double 
   contact::SurfaceOptions options;
   options.self_intersecting = repaired.self_intersecting;
   contact::Surface surface = contact::buildSurface(repaired.mesh, std::move(stiffness), options);
-  if (triangles <= contact::kMaxTrianglesWithPlanes) surface.planes = contact::planesOf(surface.geometry);
+  if (triangles <= contact::kMaxPlanes) surface.planes = contact::planesOf(surface.geometry);
   return {scale, stiffness_n_per_mm, triangles, std::move(surface), lab::SurfaceSide(repaired.mesh)};
 }
 

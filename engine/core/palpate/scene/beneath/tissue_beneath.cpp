@@ -46,7 +46,7 @@ Place placeOf(const Vec3& point) {
   return place;
 }
 
-double thicknessAlongRay(const tree::TriangleTree& bones, const Vec3& point, const Vec3& normal, double nearest_mm) {
+double alongRay(const tree::TriangleTree& bones, const Vec3& point, const Vec3& normal, double nearest_mm) {
   const double most = kMaxOverNearest * nearest_mm;
   const tree::Crossing hit = tree::firstFrontCrossing(bones, point, point - most * normal);
   return hit.triangle == kNoIndex ? most : std::max(nearest_mm, hit.fraction * most);
@@ -60,7 +60,7 @@ Cells probeCells(const mesh::TriangleMesh& skin, std::span<const double> nearest
     if (cell.rays >= kRays || !(nearest_mm[v] > 0.0) || !std::isfinite(nearest_mm[v])) continue;
     ++cell.rays;
     cell.sum += skin.positions[v];
-    cell.log_sum += elementary::log(thicknessAlongRay(bones, skin.positions[v], normals[v], nearest_mm[v]));
+    cell.log_sum += elementary::log(alongRay(bones, skin.positions[v], normals[v], nearest_mm[v]));
   }
   return cells;
 }

@@ -43,7 +43,7 @@ double rise(double from, double to, double x) {
 
 /// Texels around a place, each with its offset from there in mm.
 template <class Paint>
-void paintAround(cv::Mat& albedo, const SkinTexture& texture, const Vec2& place, double reach_mm, const Paint& paint) {
+void paintAt(cv::Mat& albedo, const SkinTexture& texture, const Vec2& place, double reach_mm, const Paint& paint) {
   const cv::Point2f middle = texture.toTexel(place);
   const auto reach = static_cast<float>(reach_mm * texture.texels_per_mm);
   const int left = std::max(0, static_cast<int>(middle.x - reach));
@@ -90,7 +90,7 @@ class RaggedRim {
 
 void paintBlot(cv::Mat& albedo, const SkinTexture& texture, const Vec2& place, double radius, const cv::Vec3f& colour,
                double opacity) {
-  paintAround(albedo, texture, place, 1.6 * radius, [&](cv::Vec3f& skin, const Vec2& offset) {
+  paintAt(albedo, texture, place, 1.6 * radius, [&](cv::Vec3f& skin, const Vec2& offset) {
     blendInk(skin, colour, opacity * rise(1.5 * radius, 0.6 * radius, offset.norm()));
   });
 }
@@ -162,7 +162,7 @@ void paintInk(cv::Mat& albedo, const SkinTexture& texture, const SyntheticCase& 
   const float shade = 0.45f + 0.55f * std::min(1.0f, base[1] / 0.4f);
   const cv::Vec3f colour = shade * inkColour(made.marks.ink);
   const double opacity = made.marks.opacity * random.uniform(0.93, 1.0);
-  paintAround(albedo, texture, mark.skin_mm, 1.8 * mark.radius_mm, [&](cv::Vec3f& skin, const Vec2& offset) {
+  paintAt(albedo, texture, mark.skin_mm, 1.8 * mark.radius_mm, [&](cv::Vec3f& skin, const Vec2& offset) {
     const double angle = std::atan2(offset.y(), offset.x());
     const double inside = mark.radius_mm * rim.at(angle) - offset.norm();
     if (inside < -0.3) return;
