@@ -1,10 +1,16 @@
 // The plan of the house by product, as tools/house counts it. A bar here only ever falls.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
 #include "support/places.h"
 #include "support/run_command.h"
+#include "support/temporary_folder.h"
 
 namespace palpate {
 namespace {
@@ -32,6 +38,36 @@ TEST(Plan, IncludesBetweenHousesRunOneWay) {
 
 TEST(Plan, NothingIsWrittenTwice) {
   EXPECT_LE(planOfTheHouse()["duplicates"], 6) << "tools/house --duplicates names them";
+}
+
+/// Symbolic links below a folder that lead to no file, by their names in it. What is built and what git keeps is left
+/// out.
+std::vector<std::string> brokenLinks(const std::filesystem::path& root) {
+  std::vector<std::string> broken;
+  std::size_t links = 0;
+  for (auto it = std::filesystem::recursive_directory_iterator(root); it != std::filesystem::end(it); ++it) {
+    if (it.depth() == 0 && (it->path().filename() == "build" || it->path().filename() == ".git")) {
+      it.disable_recursion_pending();
+    }
+    if (!it->is_symlink()) continue;
+    ++links;
+    if (!it->exists()) broken.push_back(it->path().lexically_relative(root).generic_string());
+  }
+  EXPECT_GT(links, 0u) << "it looks at something";
+  std::sort(broken.begin(), broken.end());
+  return broken;
+}
+
+TEST(Plan, EverySymbolicLinkLeadsToAFile) {
+  EXPECT_EQ(brokenLinks(support::sourceFolder()), std::vector<std::string>());
+}
+
+TEST(Plan, ASymbolicLinkThatLeadsNowhereIsSeen) {
+  const support::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "tests");
+  std::filesystem::create_symlink("../moved/.clang-tidy", folder / "tests/.clang-tidy");
+  std::filesystem::create_symlink("tests", folder / "a_folder");
+  EXPECT_EQ(brokenLinks(folder.path()), std::vector<std::string>{"tests/.clang-tidy"});
 }
 
 }  // namespace
