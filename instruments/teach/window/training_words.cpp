@@ -233,6 +233,38 @@ TrainingScreen cardOfSession(const TrainingView& view, TrainingScreen screen) {
   }
 }
 
+void addDeviceCheck(const TrainingView& view, TrainingScreen& screen) {
+  screen.sites.clear();
+  if (view.by_mouse) {
+    screen.lines = {tr("Press with the left mouse button on the back. The wheel presses harder.")};
+    screen.shows_sink = true;
+  }
+  if (view.force_share < kWholeForce) {
+    screen.lines.push_back(trf("This device gives {:.0f} % of every force: all places feel softer to the same degree.",
+                               100.0 * view.force_share));
+  }
+  if (view.ratios_kept_to_n > 0.0) {
+    screen.lines.push_back(
+        trf("Above {:.2g} N differences are harder to feel: press more gently.", view.ratios_kept_to_n));
+  }
+  nextButton(tr("Next"), screen);
+  addTouchKeys(view, screen);
+}
+
+void addFeedback(const TrainingView& view, TrainingScreen& screen) {
+  const training::Session& session = *view.session;
+  addProgress(session, screen);
+  if (!session.trials().empty()) {
+    const training::TrialRow& trial = session.trials().back();
+    screen.outcome = trial.correct ? TrainingScreen::Outcome::right : TrainingScreen::Outcome::wrong;
+    const training::Site* own = session.plan().sites.numbered(trial.site_answer);
+    if (own != nullptr && !trial.correct) screen.lines.push_back(training::wrongAnswerReview(*own));
+  }
+  addSink(view, screen);
+  nextButton(tr("Next"), screen);
+  addTouchKeys(view, screen);
+}
+
 TrainingScreen sessionScreen(const TrainingView& view) {
   TrainingScreen screen;
   screen.place = TrainingPlace::body;
@@ -242,22 +274,7 @@ TrainingScreen sessionScreen(const TrainingView& view) {
   addSites(view, screen);
   switch (session.screen()) {
     case Screen::device_check:
-      screen.sites.clear();
-      if (view.by_mouse) {
-        screen.lines = {tr("Press with the left mouse button on the back. The wheel presses harder.")};
-        screen.shows_sink = true;
-      }
-      if (view.force_share < kWholeForce) {
-        screen.lines.push_back(
-            trf("This device gives {:.0f} % of every force: all places feel softer to the same degree.",
-                100.0 * view.force_share));
-      }
-      if (view.ratios_kept_to_n > 0.0) {
-        screen.lines.push_back(
-            trf("Above {:.2g} N differences are harder to feel: press more gently.", view.ratios_kept_to_n));
-      }
-      nextButton(tr("Next"), screen);
-      addTouchKeys(view, screen);
+      addDeviceCheck(view, screen);
       break;
     case Screen::familiarisation:
       addSink(view, screen);
@@ -275,16 +292,7 @@ TrainingScreen sessionScreen(const TrainingView& view) {
       trialButtons(view, screen);
       break;
     case Screen::feedback:
-      addProgress(session, screen);
-      if (!session.trials().empty()) {
-        const training::TrialRow& trial = session.trials().back();
-        screen.outcome = trial.correct ? TrainingScreen::Outcome::right : TrainingScreen::Outcome::wrong;
-        const training::Site* own = session.plan().sites.numbered(trial.site_answer);
-        if (own != nullptr && !trial.correct) screen.lines.push_back(training::wrongAnswerReview(*own));
-      }
-      addSink(view, screen);
-      nextButton(tr("Next"), screen);
-      addTouchKeys(view, screen);
+      addFeedback(view, screen);
       break;
     case Screen::free_exploration:
       addSink(view, screen);

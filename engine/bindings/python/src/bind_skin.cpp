@@ -89,13 +89,7 @@ IndexArray changedRanges(const SkinHandle& self) {
   return {std::move(ranges)};
 }
 
-}  // namespace
-
-void bindSkin(py::module_& module) {
-  py::class_<SkinHandle> skin(
-      module, "Skin",
-      "The skin of a world, deformed by fingers.\n\nIts arrays are live, read-only views: the next `apply` changes "
-      "what they show. They are for the thread that applies; `copy` is for others and for later.");
+void bindTouching(py::class_<SkinHandle>& skin) {
   skin.def(
       py::init([](const WorldPointer& world, bool strain, std::size_t fingers) {
         if (fingers == 0) throw py::value_error("fingers: must be at least 1");
@@ -115,6 +109,10 @@ void bindSkin(py::module_& module) {
       "and "
       "strain (V,), float32; positions float64 of a body farther than 10 m from the origin. Raises RuntimeError while "
       "another thread reads the skin (view.render).");
+}
+
+/// The live views.
+void bindArrays(py::class_<SkinHandle>& skin) {
   skin.def_property_readonly("positions", &positionArray,
                              "(V, 3) float32, mm; a live view, not contiguous (an axis after the other in memory). Of "
                              "a body farther than 10 m "
@@ -140,6 +138,10 @@ void bindSkin(py::module_& module) {
         return Float32Array(arrayView(strain.data(), {static_cast<py::ssize_t>(strain.size())}, self));
       },
       "(V,) float32, 0.1 is 10 % longer, below 0 shorter; zeros without strain. A live view.");
+}
+
+/// What the last `apply` did.
+void bindReport(py::class_<SkinHandle>& skin) {
   skin.def_property_readonly(
       "changed", &changedRanges,
       "(R, 2) int64: ranges of vertices, first and end, written by the last `apply`; a new array.");
@@ -151,6 +153,18 @@ void bindSkin(py::module_& module) {
       "Bits of the last `apply`: 1 a contact that is not finite, 2 without triangle, 4 more than there is room for, 8 "
       "a "
       "region without area, 16 without a vertex (docs/explanation/deformation.md).");
+}
+
+}  // namespace
+
+void bindSkin(py::module_& module) {
+  py::class_<SkinHandle> skin(
+      module, "Skin",
+      "The skin of a world, deformed by fingers.\n\nIts arrays are live, read-only views: the next `apply` changes "
+      "what they show. They are for the thread that applies; `copy` is for others and for later.");
+  bindTouching(skin);
+  bindArrays(skin);
+  bindReport(skin);
   skin.def_property_readonly("world", &SkinHandle::world, "The world that the skin belongs to.");
 }
 

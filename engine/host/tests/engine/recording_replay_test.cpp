@@ -54,48 +54,54 @@ class RecordingReplay : public testing::Test {
   support::TemporaryFolder folder_;
 };
 
-TEST_F(RecordingReplay, GivesEveryBitThroughFaultsWorldChangesAndAnEmergencyStop) {
-  trace::RecordingWriter writer(file(), recordingHeader(1000.0), {{"left", "troubled"}, {"right", "troubled"}});
-  const auto plan_of = [&](double stiffness, bool other_body) {
-    const auto world = buildSheetWorld(stiffness);
-    ServoPlan plan = servoPlan(world, fingerSettings(world->scene, 2));
-    plan.other_body = other_body;
-    return plan;
-  };
-  ServoPlan first = plan_of(0.5, true);
-  writer.add(recordingWorld(*first.world, feltWith(first)));
-  std::uint64_t popped = 0;
-  {
-    ServoThread servo(std::move(first), {troubledDevice(1), troubledDevice(2)});
-    std::uint64_t stopped = 0;
-    const auto drain = [&] {
-      trace::Sample sample;
-      for (; servo.pop(sample); ++popped) {
-        writer.add(sample);
-        if ((sample.safety & servo::kEmergencyStop) != 0u) ++stopped;
-      }
-    };
-    for (const double stiffness : {1.0, 0.7, 1.3}) {
-      const std::uint64_t enough = popped + 600;
-      ASSERT_TRUE(support::waitFor([&] { return drain(), popped > enough; }));
-      ServoPlan next = plan_of(stiffness, false);
-      writer.add(recordingWorld(*next.world, feltWith(next)));
-      servo.change(std::move(next));
-      ASSERT_TRUE(support::waitFor([&] { return servo.exchange(); }));
-      servo.emergencyStop().press();
-      // Counted by what was stopped: on a busy machine the ring still holds ticks from before the press.
-      const std::uint64_t long_enough = stopped + 60;
-      ASSERT_TRUE(support::waitFor([&] { return drain(), stopped > long_enough; }));
-      servo.emergencyStop().release();
-    }
-    const std::uint64_t enough = popped + 1000;
-    ASSERT_TRUE(support::waitFor([&] { return drain(), popped > enough; }));
-    servo.stop();
-    drain();
-    ASSERT_EQ(servo.droppedSamples(), 0u);
+/// A servo thread of two troubled fingers whose ticks go into a recording.
+class TroubledRun {
+ public:
+  TroubledRun(ServoPlan first, trace::RecordingWriter& writer)
+      : writer_(writer), servo_(std::move(first), {troubledDevice(1), troubledDevice(2)}) {}
+
+  std::uint64_t ticks() const { return ticks_; }
+
+  void record(std::uint64_t more_ticks) {
+    const std::uint64_t enough = ticks_ + more_ticks;
+    ASSERT_TRUE(support::waitFor([&] { return drain(), ticks_ > enough; }));
   }
-  writer.finish("done");
-  trace::RecordingReader recording(file());
+
+  void changeTo(ServoPlan next) {
+    servo_.change(std::move(next));
+    ASSERT_TRUE(support::waitFor([&] { return servo_.exchange(); }));
+  }
+
+  void stopInAnEmergency() {
+    servo_.emergencyStop().press();
+    // Counted by what was stopped: on a busy machine the ring still holds ticks from before the press.
+    const std::uint64_t long_enough = stopped_ + 60;
+    ASSERT_TRUE(support::waitFor([&] { return drain(), stopped_ > long_enough; }));
+    servo_.emergencyStop().release();
+  }
+
+  void finish() {
+    servo_.stop();
+    drain();
+    ASSERT_EQ(servo_.droppedSamples(), 0u);
+  }
+
+ private:
+  void drain() {
+    trace::Sample sample;
+    for (; servo_.pop(sample); ++ticks_) {
+      writer_.add(sample);
+      if ((sample.safety & servo::kEmergencyStop) != 0u) ++stopped_;
+    }
+  }
+
+  trace::RecordingWriter& writer_;
+  ServoThread servo_;
+  std::uint64_t ticks_ = 0;
+  std::uint64_t stopped_ = 0;
+};
+
+void expectTroublesAndFourWorlds(trace::RecordingReader& recording) {
   std::uint32_t seen = 0;
   std::uint32_t last_world = 0;
   recording.forEachTick({}, [&](std::span<const trace::Sample> samples) {
@@ -109,13 +115,37 @@ TEST_F(RecordingReplay, GivesEveryBitThroughFaultsWorldChangesAndAnEmergencyStop
   EXPECT_NE(seen & servo::kTipNotFinite, 0u);
   EXPECT_NE(seen & servo::kTipJumped, 0u);
   EXPECT_NE(seen & servo::kEmergencyStop, 0u);
+}
+
+TEST_F(RecordingReplay, GivesEveryBitThroughFaultsWorldChangesAndAnEmergencyStop) {
+  trace::RecordingWriter writer(file(), recordingHeader(1000.0), {{"left", "troubled"}, {"right", "troubled"}});
+  const auto recorded_plan = [&](double stiffness, bool other_body) {
+    const auto world = buildSheetWorld(stiffness);
+    ServoPlan plan = servoPlan(world, fingerSettings(world->scene, 2));
+    plan.other_body = other_body;
+    writer.add(recordingWorld(*plan.world, feltWith(plan)));
+    return plan;
+  };
+  TroubledRun run(recorded_plan(0.5, true), writer);
+  for (const double stiffness : {1.0, 0.7, 1.3}) {
+    run.record(600);
+    run.changeTo(recorded_plan(stiffness, false));
+    run.stopInAnEmergency();
+    ASSERT_FALSE(HasFatalFailure());
+  }
+  run.record(1000);
+  run.finish();
+  ASSERT_FALSE(HasFatalFailure());
+  writer.finish("done");
+  trace::RecordingReader recording(file());
+  expectTroublesAndFourWorlds(recording);
   const ReplayReport report = replay(recording);
   ASSERT_FALSE(report.first_difference) << "tick " << report.first_difference->tick << " "
                                         << report.first_difference->field << " was "
                                         << report.first_difference->recorded << ", is "
                                         << report.first_difference->replayed;
   EXPECT_TRUE(report.identical());
-  EXPECT_EQ(report.ticks, popped);
+  EXPECT_EQ(report.ticks, run.ticks());
   if (const char* keep = std::getenv("PALPATE_KEEP_SESSION")) {  // tests/data/sessions/README.md
     std::filesystem::copy(file(), std::filesystem::path(keep) / "troubled.session");
     std::filesystem::copy(folder_ / "sheet.ply", std::filesystem::path(keep) / "sheet.ply");

@@ -267,27 +267,80 @@ TEST(Soak, RandomFaultsLeaveNoForceThatShouldNotBe) {
   }
 }
 
+/// With a driver whose loop is its own.
+device::Device openOnItsOwnThread(const HardwareBench& bench) {
+  device::OpenOptions options = bench.options();
+  options.own_thread = true;
+  return bench.open(options);
+}
+
+Rig rigByTheClock(const contact::Surface& surface, const std::vector<device::Device>& devices) {
+  RigParts parts;
+  parts.solvers = makeSolvers(surface, nullptr, 2);
+  parts.fingers.resize(2);
+  parts.devices = devices;
+  parts.limiter = limiterSettings(scene::SafetySettings{}, device::profileOf(scene::DeviceModel::omni), 0.001);
+  return rigOf(std::move(parts));
+}
+
+/// The hand goes up and down; the cable is out now and then, and the driver slow.
+void disturb(HardwareBench& bench, double now_s, Random& random) {
+  bench.put({0, 0, 2.5 * std::cos(2.0 * std::numbers::pi * now_s / 0.5)});
+  bench.hardware().connected = std::fmod(now_s, 0.7) < 0.5 || random.below(8) != 0;
+  bench.control().slow_us = std::fmod(now_s, 0.3) < 0.02 ? 3000 : 0;
+}
+
+struct FeltByTheClock {
+  std::uint64_t with_force = 0;  ///< ticks
+  double largest_n = 0.0;
+
+  void drain(LoopLinks& links) {
+    trace::Sample sample;
+    while (links.samples.pop(sample)) {
+      const double force = sample.device_force.norm();
+      with_force += force > 0.0 ? 1 : 0;
+      largest_n = std::max(largest_n, force);
+      if ((sample.safety & kFaultBits) != 0) {
+        EXPECT_EQ(force, 0.0) << "tick " << sample.tick;
+      }
+    }
+  }
+};
+
+/// Disturbs both benches until the loop is over, which it ends after `least_s` and enough ticks with force.
+FeltByTheClock disturbUntilFinished(const std::array<HardwareBench*, 2>& benches,
+                                    const std::vector<device::Device>& devices, double least_s, std::uint64_t enough,
+                                    LoopLinks& links) {
+  FeltByTheClock felt;
+  Random random(5);
+  const auto started = Clock::now();
+  double tended_s = -1.0;
+  while (!links.finished.load()) {
+    const double now_s = secondsSince(started);
+    for (HardwareBench* bench : benches) disturb(*bench, now_s, random);
+    if (now_s - tended_s > 0.5) {
+      device::reviveDevices(devices);
+      tended_s = now_s;
+    }
+    felt.drain(links);
+    if (now_s > least_s && felt.with_force > enough) links.stop = true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return felt;
+}
+
 /// Drivers with loops of their own, a servo thread, and somebody who pulls cables: by the clock.
 TEST(Soak, ByTheClockToo) {
   HardwareBench touch(device::openHapticsHardware());
   HardwareBench omega(device::forceDimensionHardware());
-  for (HardwareBench* bench : {&touch, &omega}) {
+  const std::array<HardwareBench*, 2> benches = {&touch, &omega};
+  for (HardwareBench* bench : benches) {
     bench->control().by_hand = false;
     bench->put({0, 0, 5});
   }
   const contact::Surface surface = lab::plateSurface(lab::PlateSettings{});
-  const auto open = [](const HardwareBench& bench) {
-    device::OpenOptions options = bench.options();
-    options.own_thread = true;
-    return bench.open(options);
-  };
-  RigParts parts;
-  parts.solvers = makeSolvers(surface, nullptr, 2);
-  parts.fingers.resize(2);
-  parts.devices = {open(touch), open(omega)};
-  const std::vector<device::Device> devices = parts.devices;
-  parts.limiter = limiterSettings(scene::SafetySettings{}, device::profileOf(scene::DeviceModel::omni), 0.001);
-  Rig rig = rigOf(std::move(parts));
+  const std::vector<device::Device> devices = {openOnItsOwnThread(touch), openOnItsOwnThread(omega)};
+  Rig rig = rigByTheClock(surface, devices);
   LoopLinks links(2);
   // Where the machine is busy, most ticks fall into a time in which the rules hold the force back: then for longer.
   constexpr std::uint64_t kEnoughWithForce = 50;
@@ -296,46 +349,16 @@ TEST(Soak, ByTheClockToo) {
   const auto most_ticks = static_cast<std::uint64_t>(1000.0 * most_s);
   LoopReport report;
   std::thread servo([&] { report = runPaced(rig, most_ticks, PacedSettings{}, links); });
-  Random random(5);
-  std::uint64_t with_force = 0;
-  double largest = 0.0;
-  const auto drain = [&] {
-    trace::Sample sample;
-    while (links.samples.pop(sample)) {
-      const double force = sample.device_force.norm();
-      with_force += force > 0.0 ? 1 : 0;
-      largest = std::max(largest, force);
-      if ((sample.safety & kFaultBits) != 0) {
-        EXPECT_EQ(force, 0.0) << "tick " << sample.tick;
-      }
-    }
-  };
-  const auto started = Clock::now();
-  double tended_s = -1.0;
-  while (!links.finished.load()) {
-    const double now_s = secondsSince(started);
-    for (HardwareBench* bench : {&touch, &omega}) {
-      bench->put({0, 0, 2.5 * std::cos(2.0 * std::numbers::pi * now_s / 0.5)});
-      bench->hardware().connected = std::fmod(now_s, 0.7) < 0.5 || random.below(8) != 0;
-      bench->control().slow_us = std::fmod(now_s, 0.3) < 0.02 ? 3000 : 0;
-    }
-    if (now_s - tended_s > 0.5) {
-      device::reviveDevices(devices);
-      tended_s = now_s;
-    }
-    drain();
-    if (now_s > least_s && with_force > kEnoughWithForce) links.stop = true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  FeltByTheClock felt = disturbUntilFinished(benches, devices, least_s, kEnoughWithForce, links);
   servo.join();
-  drain();
+  felt.drain(links);
   EXPECT_EQ(report.dropped_samples, 0u) << "else not every tick was judged";
   fmt::print("soak by the clock: {:.1f} s, {} ticks, {} overruns, {} stalls, lateness p99 {:.0f} us, {} with force\n",
-             report.wall_s, report.ticks, report.overruns, report.stalls, report.lateness.p99_us, with_force);
-  EXPECT_GT(with_force, kEnoughWithForce);
-  EXPECT_LE(largest, rig.fingers[0].limiter_settings.force_n * (1.0 + 1e-12));
+             report.wall_s, report.ticks, report.overruns, report.stalls, report.lateness.p99_us, felt.with_force);
+  EXPECT_GT(felt.with_force, kEnoughWithForce);
+  EXPECT_LE(felt.largest_n, rig.fingers[0].limiter_settings.force_n * (1.0 + 1e-12));
   for (const device::Device& device : devices) device.close();
-  for (HardwareBench* bench : {&touch, &omega}) {
+  for (HardwareBench* bench : benches) {
     EXPECT_EQ(bench->force(), Vec3::Zero());
     bench->control().by_hand = true;
   }

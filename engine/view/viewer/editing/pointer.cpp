@@ -80,8 +80,11 @@ void Pointer::deepen(TouchSettings& touch, double notches) {
 }
 
 bool Pointer::apply(const window::Command& command, BodyView& seen, double now_s) {
+  return applyToFinger(command, seen) || applyToCamera(command, seen, now_s);
+}
+
+bool Pointer::applyToFinger(const window::Command& command, BodyView& seen) {
   const std::size_t active = seen.active_finger;
-  view::Camera& camera = seen.camera;
   switch (command.kind) {
     case Kind::hover:
       hover(active, command.at);
@@ -117,6 +120,14 @@ bool Pointer::apply(const window::Command& command, BodyView& seen, double now_s
       deepen(seen.state.touch, command.amount / (resists ? 1.0 + force / kHalfSpeedN : 1.0));
       return true;
     }
+    default:
+      return false;
+  }
+}
+
+bool Pointer::applyToCamera(const window::Command& command, BodyView& seen, double now_s) {
+  view::Camera& camera = seen.camera;
+  switch (command.kind) {
     case Kind::grab:
       flight_.reset();
       pivot_ = pivotAt(command.at, camera);

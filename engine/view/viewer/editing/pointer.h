@@ -69,6 +69,8 @@ class Pointer {
     double force_n = 3.0;
   };
 
+  bool applyToFinger(const window::Command& command, BodyView& seen);
+  bool applyToCamera(const window::Command& command, BodyView& seen, double now_s);
   void moveFinger(std::size_t finger, const Vec2& pixel);
   void hover(std::size_t finger, const Vec2& pixel);
   static void press(Finger& finger);
