@@ -166,6 +166,23 @@ TEST(Friction, StretchesThePullToTheWholeOffset) {
   EXPECT_LT(gripOf({0, 0, 0}, Vec3::UnitZ(), {1e-9, 0, -4}, {10.0, 10.0}, false).pull.norm(), 1e-8);
 }
 
+TEST(Friction, HoldsAPointInSpaceAlsoWhereItIsOffTheSkin) {
+  const Surface surface = surfaceOf(zoo::wavyGrid(24, 100.0, 6.0));
+  FingerTrack finger(surface);
+  finger.to({20, 50, 12});
+  finger.slide({20, 50, -4}, 0.1);
+  double farthest_off_mm = 0.0;
+  for (double x = 20.0; x <= 32.0; x += 0.1) {
+    const FingerOutput output = finger.to({x, 48.5, -4});
+    const Vec3 held = finger.state().hold - output.proxy;
+    if (output.touch == Touch::slip) {
+      EXPECT_NEAR(held.dot(output.normal), 0.0, 1e-9) << x;
+    }
+    farthest_off_mm = std::max(farthest_off_mm, (finger.state().hold - output.anchor).norm());
+  }
+  EXPECT_GT(farthest_off_mm, 0.1);
+}
+
 TEST(Friction, FromSlipToStickThePullDoesNotJump) {
   // Over a coarse egg-crate the skin next to where the pull ends is often elsewhere; FingerTrack asks for the step.
   mesh::TriangleMesh bumps = zoo::wavyGrid(24, 100.0, 6.0);
