@@ -76,6 +76,16 @@ inline void findsWhatWasInterruptedAndMeasured(RowTables& tables) {
   keepAll(tables, {stopped});
   EXPECT_FALSE(tables.interrupted(who.id, SessionKind::pre_test));
   EXPECT_EQ(tables.lastMeasured(who.id)->id, stopped.id);
+  const SessionRow latest = samples::session(who, 4, SessionKind::exam);
+  BlockRow mastered = samples::block(latest, 4, 1), unanswered = samples::block(latest, 5, 2),
+           stateless = samples::block(latest, 6, 3);
+  mastered.method = Method::mastery;
+  unanswered.threshold = unanswered.threshold_low = unanswered.threshold_high = 0.0;
+  stateless.finished = false;
+  stateless.state_json.clear();
+  keepAll(tables, {latest, mastered, unanswered, stateless});
+  EXPECT_FALSE(tables.interrupted(who.id, SessionKind::exam)) << "nothing to continue from";
+  EXPECT_EQ(tables.lastMeasured(who.id)->id, stopped.id) << "neither a method without a threshold nor one of no answer";
 }
 
 /// Each row that must not be kept, and what is said of it.
@@ -105,6 +115,10 @@ inline void refusesWhatDoesNotFit(RowTables& tables) {
   session.id = samples::id(9, 3);
   session.trainee_id = samples::trainee("nobody").id;
   EXPECT_NE(refused(session).find("before its trainee"), std::string::npos);
+  trial = std::get<TrialRow>(history.rows[6]);
+  trial.seconds += 1.0;
+  trial.visits.push_back(trial.visits.front());
+  EXPECT_NE(refused(trial).find("cannot be stored"), std::string::npos) << "a site twice: the trial is not half kept";
   EXPECT_EQ(samples::saidAll(tables.all()), before);
 }
 
@@ -114,8 +128,10 @@ inline void erasesOneAndLeavesTheOthers(RowTables& tables) {
   const Uuid gone = history.trainees[1].id;
   std::vector<std::string> others;
   for (const std::string& text : samples::saidAll(tables.all())) others.push_back(text);
+  tables.sql().change("INSERT INTO origin (subject, station_id) VALUES ($1, $2)", {gone, samples::station().id});
   EXPECT_TRUE(tables.erase(gone));
   EXPECT_FALSE(tables.erase(gone));
+  EXPECT_EQ(tables.sql().number("SELECT count(*) FROM origin"), 0);
   const std::vector<std::string> left = samples::saidAll(tables.all());
   EXPECT_EQ(left.size(), others.size() - 1 - 2 * (1 + 1 + 5 + 1));
   EXPECT_TRUE(std::ranges::all_of(
