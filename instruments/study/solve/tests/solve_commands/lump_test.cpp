@@ -1,6 +1,7 @@
 // `palpate lump` and the lumps of `palpate tissue solve` from the outside.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -19,6 +20,7 @@ class LumpCommand : public ::testing::Test {
   void refuses(const std::string& arguments, const std::string& words) const {
     const CommandResult result = run(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     EXPECT_NE(result.err.find(words), std::string::npos) << result.err;
   }
 
