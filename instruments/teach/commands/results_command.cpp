@@ -54,7 +54,7 @@ void addResultsFile(Command& command, ResultsArguments& arguments) {
 }
 
 Store recordsAt(const std::string& file_or_address, Store::Open how) {
-  return training::isDatabaseAddress(file_or_address) ? classPart().copyOfDatabase(file_or_address)
+  return training::isDatabaseAddress(file_or_address) ? classPart().copy_of_database(file_or_address)
                                                       : Store(file_or_address, how);
 }
 
@@ -78,7 +78,7 @@ void remember(Store& store, const std::string& class_folder) {
 
 Store openedResults(const ResultsArguments& arguments) {
   if (training::isDatabaseAddress(arguments.file)) {
-    Store copy = classPart().copyOfDatabase(arguments.file);
+    Store copy = classPart().copy_of_database(arguments.file);
     remember(copy, arguments.class_folder);
     return copy;
   }

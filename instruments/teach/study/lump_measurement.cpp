@@ -151,7 +151,7 @@ double rootBetween(double low, double high, const Rises& rises) {
 /// spread, and the spread that separates the sizes this far.
 LumpObserver fittedObserver(const FeltSet& set, double large_percent, double small_percent) {
   LumpObserver observer{.taxels = kTaxels};
-  const auto weberAt = [&](double spread) {
+  const auto weber_at = [&](double spread) {
     observer.spread = spread;
     return rootBetween(1e-4, 10.0, [&](double weber) {
       observer.pattern_weber = weber;
@@ -159,10 +159,10 @@ LumpObserver fittedObserver(const FeltSet& set, double large_percent, double sma
     });
   };
   const double spread = rootBetween(0.1, 30.0, [&](double tried) {
-    observer.pattern_weber = weberAt(tried);
+    observer.pattern_weber = weber_at(tried);
     return expectedPercentFound(set, {.size = 0}, observer) < small_percent;
   });
-  observer.pattern_weber = weberAt(spread);
+  observer.pattern_weber = weber_at(spread);
   observer.spread = spread;
   return observer;
 }
@@ -284,7 +284,7 @@ void answer(const LumpPlan& plan, LumpPart part, std::size_t row, TwoPresses& pr
 void measureTwoPresses(const FeltSet& set, const LumpObserver& later, LumpMeasurement& found) {
   constexpr double kSmallMm = 5.0;
   constexpr double kLargeMm = 7.0;
-  const auto clearestCueAt = [&](double diameter_mm, const LumpObserver& observer) {
+  const auto clearest_cue_at = [&](double diameter_mm, const LumpObserver& observer) {
     return clearestCue(set, diameter_mm, observer);
   };
   const auto with = [&](std::size_t taxels) {
@@ -300,14 +300,14 @@ void measureTwoPresses(const FeltSet& set, const LumpObserver& later, LumpMeasur
   for (std::size_t i = 0; i < found.detection.size(); ++i) {
     TwoPresses& row = found.detection[i];
     const LumpObserver observer = with(row.taxels);
-    row.d_prime = lumps::computeClarity(clearestCueAt(kSmallMm, observer), observer);
+    row.d_prime = lumps::computeClarity(clearest_cue_at(kSmallMm, observer), observer);
     answer(found.plan, LumpPart::detection, i, row);
   }
   for (std::size_t i = 0; i < found.sizes.size(); ++i) {
     TwoPresses& row = found.sizes[i];
     const LumpObserver observer = with(row.taxels);
-    row.d_prime =
-        lumps::computeClarity(moreThan(clearestCueAt(kLargeMm, observer), clearestCueAt(kSmallMm, observer)), observer);
+    row.d_prime = lumps::computeClarity(
+        moreThan(clearest_cue_at(kLargeMm, observer), clearest_cue_at(kSmallMm, observer)), observer);
     answer(found.plan, LumpPart::sizes, i, row);
   }
 }

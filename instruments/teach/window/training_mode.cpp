@@ -244,7 +244,7 @@ void TrainingMode::storeNewRows() {
 /// Marks the record: a force that was cut off is not the trainee's.
 void TrainingMode::followSafety(const ViewerState& viewer) {
   if (std::exchange(stopped_, viewer.devices.stopped) == viewer.devices.stopped) return;
-  if (class_) class_->publishSafety(stopped_ ? "emergency stop" : "ok");
+  if (class_) class_->publish_safety(stopped_ ? "emergency stop" : "ok");
   if (session() == nullptr) return;
   session()->safety(stopped_ ? "emergency stop" : "emergency stop released", run_->now());
 }
@@ -253,7 +253,7 @@ void TrainingMode::followSafety(const ViewerState& viewer) {
 void TrainingMode::followClass() {
   if (!class_) return;
   class_->follow(session());
-  while (const auto command = class_->popCommand()) {
+  while (const auto command = class_->pop_command()) {
     using Kind = training::InstructorAct;
     if (command->kind == Kind::message) {
       message_ = command->text;

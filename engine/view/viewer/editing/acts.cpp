@@ -48,7 +48,7 @@ auto* findSwitch(Action action, S& viewer) {
 
 /// The request for those who own the window, the files and the servo, if an action is one.
 std::optional<Request> requestFor(Action action) {
-  static const std::pair<Action, Request> kRequests[] = {
+  static const std::pair<Action, Request> requests[] = {
       {Action::emergency_stop, StopDevices{}},
       {Action::full_screen, ToggleFullScreen{}},
       {Action::screenshot, TakeScreenshot{}},
@@ -67,7 +67,7 @@ std::optional<Request> requestFor(Action action) {
       {Action::quit, Quit{}},
       {Action::home, GoHome{}},
   };
-  for (const auto& [known, request] : kRequests) {
+  for (const auto& [known, request] : requests) {
     if (known == action) return request;
   }
   return std::nullopt;

@@ -17,8 +17,8 @@ training::ClassLink connectStation(const Member& member, training::Store& store,
   const auto line = std::make_shared<ClassLine>(member, store, info);
   return {.felt = [line](const trace::Sample& sample) { line->update(sample); },
           .follow = [line](const training::Session* session) { line->follow(session); },
-          .publishSafety = [line](const std::string& words) { line->publishSafety(words); },
-          .popCommand = [line] { return line->popCommand(); }};
+          .publish_safety = [line](const std::string& words) { line->publishSafety(words); },
+          .pop_command = [line] { return line->popCommand(); }};
 }
 
 training::ClassStation stationIn(const std::filesystem::path& folder) {
@@ -67,7 +67,7 @@ void noteInDatabase(const std::string& address, std::string_view actor, std::str
 training::ClassPart makeClassPart() {
   return {.station = stationIn,
           .secret = secretIn,
-          .copyOfDatabase = copyOfDatabase,
+          .copy_of_database = copyOfDatabase,
           .erase = eraseFromDatabase,
           .purge = purgeDatabase,
           .note = noteInDatabase};

@@ -41,7 +41,7 @@ TEST(ClassPart, AStationKeepsItsRowsForTheClassWhereNoBrokerAnswers) {
   const training::ClassStation station = makeClassPart().station(made.station("s01"));
   const training::ClassLink link = station.connect(store, "palpate 0.9", "mouse");
   link.follow(nullptr);
-  EXPECT_FALSE(link.popCommand());
+  EXPECT_FALSE(link.pop_command());
   store.save(station.row);
   EXPECT_EQ(store.waitingCount(), 1U);
 }

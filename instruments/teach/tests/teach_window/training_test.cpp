@@ -546,8 +546,8 @@ struct SilentClass {
         store.fillOutbox(true);
         return training::ClassLink{.felt = [](const trace::Sample&) {},
                                    .follow = [this](const training::Session* session) { follows = session != nullptr; },
-                                   .publishSafety = [](const std::string&) {},
-                                   .popCommand = [this]() -> std::optional<training::InstructorCommand> {
+                                   .publish_safety = [](const std::string&) {},
+                                   .pop_command = [this]() -> std::optional<training::InstructorCommand> {
                                      if (commands.empty()) return std::nullopt;
                                      const training::InstructorCommand oldest = commands.front();
                                      commands.erase(commands.begin());

@@ -34,9 +34,9 @@ struct InstructorCommand {
 /// A station's connection, open while one of these functions is kept: stored rows go to the class by themselves.
 struct ClassLink {
   std::function<void(const trace::Sample&)> felt;
-  std::function<void(const Session*)> follow;                    ///< once a frame; null: no trainee is signed in
-  std::function<void(const std::string&)> publishSafety;         ///< "ok", or what stopped the device
-  std::function<std::optional<InstructorCommand>()> popCommand;  ///< oldest first
+  std::function<void(const Session*)> follow;                     ///< once a frame; null: no trainee is signed in
+  std::function<void(const std::string&)> publish_safety;         ///< "ok", or what stopped the device
+  std::function<std::optional<InstructorCommand>()> pop_command;  ///< oldest first
 };
 
 /// A station of a class, as its folder describes it.
@@ -70,7 +70,7 @@ struct ClassPart {
   /// Reads the secret in a class's folder or a station's.
   ClassSecret (*secret)(const std::filesystem::path& folder) = nullptr;
   /// A snapshot, in memory: "database NAME".
-  Store (*copyOfDatabase)(const std::string& address) = nullptr;
+  Store (*copy_of_database)(const std::string& address) = nullptr;
   ErasedFromDatabase (*erase)(const std::string& address, const Uuid& trainee, std::string_view actor) = nullptr;
   PurgedFromDatabase (*purge)(const std::string& address, std::int64_t now_ms) = nullptr;
   /// RowTables::note, in the database.
