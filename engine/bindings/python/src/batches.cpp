@@ -19,13 +19,19 @@ std::vector<WorldPointer> worldsOf(const Worlds& given) {
   return worlds;
 }
 
-py::array flagsOf(const py::object& mask, std::size_t size) {
+Masked readMask(const py::object& mask, std::size_t size) {
+  if (mask.is_none()) return {};
   const auto flags = py::array::ensure(mask, py::array::c_style);
   if (flags && flags.dtype().kind() == 'b' && flags.ndim() == 1 && static_cast<std::size_t>(flags.size()) == size) {
-    return flags;
+    return {flags, static_cast<const bool*>(flags.data())};
   }
   PyErr_Clear();
   throw py::value_error(fmt::format("mask: must be ({},) of bool", size));
+}
+
+Masked readMask(const py::object& mask, const py::object& out, std::size_t size) {
+  if (!mask.is_none() && out.is_none()) throw py::value_error("mask: needs out, which keeps the rows of the others");
+  return readMask(mask, size);
 }
 
 std::vector<std::size_t> worldNumbers(const py::object& given, std::size_t size, std::size_t worlds) {

@@ -26,8 +26,16 @@ using TouchList = Named<TouchListName>;
 /// One world, or several. Throws TypeError, ValueError for none.
 std::vector<WorldPointer> worldsOf(const Worlds& given);
 
-/// A mask (size,) of bool in C order. Throws ValueError.
-py::array flagsOf(const py::object& mask, std::size_t size);
+/// Which of a batch a call is about.
+struct Masked {
+  py::object kept;              ///< what owns the flags
+  const bool* flags = nullptr;  ///< null: all
+  bool has(std::size_t i) const { return flags == nullptr || flags[i]; }
+};
+/// A mask (size,) of bool; None: all. Throws ValueError.
+Masked readMask(const py::object& mask, std::size_t size);
+/// Also throws for a mask without `out`, which keeps the rows of the others.
+Masked readMask(const py::object& mask, const py::object& out, std::size_t size);
 
 /// The number of a world for each (size,), below `worlds`; empty for None. Throws ValueError.
 std::vector<std::size_t> worldNumbers(const py::object& given, std::size_t size, std::size_t worlds);
@@ -35,14 +43,21 @@ std::vector<std::size_t> worldNumbers(const py::object& given, std::size_t size,
 /// Calls `change` with the numbers of those whose flag is set, with all for None.
 template <class Change>
 void forMasked(const py::object& mask, std::size_t size, const Change& change) {
-  if (mask.is_none()) {
-    for (std::size_t i = 0; i < size; ++i) change(i);
-    return;
-  }
-  const py::array flags = flagsOf(mask, size);
+  const Masked masked = readMask(mask, size);
   for (std::size_t i = 0; i < size; ++i) {
-    if (static_cast<const bool*>(flags.data())[i]) change(i);
+    if (masked.has(i)) change(i);
   }
+}
+
+/// What ends a batch, and how many it has. `many`: as its documentation calls them.
+template <class Batch>
+void bindClosing(py::class_<Batch>& batch, const char* many) {
+  batch.def("close", &Batch::close, "Ends its threads. Later calls raise ValueError; closing again has no effect.");
+  batch.def(
+      "__enter__", [](const py::object& self) { return self; }, "Returns itself.");
+  batch.def(
+      "__exit__", [](Batch& self, const py::args&) { self.close(); }, "Calls close().");
+  batch.def("__len__", &Batch::size, many);
 }
 
 }  // namespace palpate::python

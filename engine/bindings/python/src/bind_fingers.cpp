@@ -45,9 +45,7 @@ class FingersHandle {
       throw py::value_error(fmt::format("tips: must be ({}, 3)", size()));
     }
     if (substeps == 0) throw py::value_error("substeps: must be at least 1");
-    if (!mask.is_none() && out.is_none()) throw py::value_error("mask: needs out, which keeps the rows of the others");
-    const py::object flags = mask.is_none() ? py::object(mask) : flagsOf(mask, size());
-    const bool* moves = mask.is_none() ? nullptr : static_cast<const bool*>(py::array(flags).data());
+    const Masked moves = readMask(mask, out, size());
     const FeltArrays arrays(richestWorld(), {tips.shape(0)}, fields, out);
     const double* to = tips.data();
     unlocked([&](Interrupts& interrupts) { stepAll({to, moves, substeps}, arrays.rows(), interrupts); });
@@ -112,14 +110,14 @@ class FingersHandle {
   /// Where the fingers go in one call.
   struct Way {
     const double* tips;
-    const bool* moves;  ///< null: all do
+    const Masked& moves;
     std::size_t substeps;
   };
   void stepAll(const Way& way, const FeltRows& rows, Interrupts& interrupts) {
     const auto part_of_them = [&](std::size_t part, const Pause& pause) {
       const std::size_t end = std::min(size(), (part + 1) * kFingersPerPart);
       for (std::size_t i = part * kFingersPerPart; i < end; ++i) {
-        if (way.moves != nullptr && !way.moves[i]) continue;
+        if (!way.moves.has(i)) continue;
         const double* tip = way.tips + 3 * i;
         stepOne(i, {tip[0], tip[1], tip[2]}, way.substeps, pause);
         rows.write(i, felt_[i]);
@@ -194,13 +192,7 @@ void bindFingers(py::module_& module) {
               py::arg("mask") = py::none());
   fingers.def("touches", &FingersHandle::touches,
               "List of the n Touch of the last ticks, for Skin.apply. Raises RuntimeError during another call.");
-  fingers.def("close", &FingersHandle::close,
-              "Ends its threads. Later calls raise ValueError; closing again has no effect.");
-  fingers.def(
-      "__enter__", [](const py::object& self) { return self; }, "Returns itself.");
-  fingers.def(
-      "__exit__", [](FingersHandle& self, const py::args&) { self.close(); }, "Calls close().");
-  fingers.def("__len__", &FingersHandle::size, "Number of fingers.");
+  bindClosing(fingers, "Number of fingers.");
   fingers.def_property_readonly("world", &FingersHandle::world, "The world that they touch; the first of several.");
   fingers.def_property_readonly("worlds", &FingersHandle::worlds, "List of the worlds that they touch.");
   fingers.def_property_readonly("threads", &FingersHandle::threads, "Number of threads that share the work of a call.");

@@ -82,10 +82,8 @@ class ToolsHandle {
     const Busy::Guard guard(busy_, "Tools");
     requireOpen();
     if (substeps == 0) throw py::value_error("substeps: must be at least 1");
-    if (!mask.is_none() && out.is_none()) throw py::value_error("mask: needs out, which keeps the rows of the others");
     const std::vector<contact::ToolPose> poses = posesOf(given_positions, given_rotations);
-    const py::object flags = mask.is_none() ? py::object(mask) : flagsOf(mask, size());
-    const bool* moves = mask.is_none() ? nullptr : static_cast<const bool*>(py::array(flags).data());
+    const Masked moves = readMask(mask, out, size());
     py::dict answer;
     const ToolRows rows = rowsIn(answer, out);
     unlocked([&](Interrupts& interrupts) {
@@ -93,7 +91,7 @@ class ToolsHandle {
                   [&](std::size_t part, const Pause& pause) {
                     const std::size_t end = std::min(size(), (part + 1) * kToolsPerPart);
                     for (std::size_t i = part * kToolsPerPart; i < end; ++i) {
-                      if (moves == nullptr || moves[i]) stepOne(i, poses[i], substeps, rows, pause);
+                      if (moves.has(i)) stepOne(i, poses[i], substeps, rows, pause);
                     }
                   },
                   interrupts);
@@ -265,13 +263,7 @@ void bindTools(py::module_& module) {
             py::arg("mask") = py::none(), py::arg("worlds") = py::none());
   tools.def("touches", &ToolsHandle::touches,
             "List of a Touch for each pad of each tool in the last ticks. Raises RuntimeError during another call.");
-  tools.def("close", &ToolsHandle::close,
-            "Ends its threads. Later calls raise ValueError; closing again has no effect.");
-  tools.def(
-      "__enter__", [](const py::object& self) { return self; }, "Returns itself.");
-  tools.def(
-      "__exit__", [](ToolsHandle& self, const py::args&) { self.close(); }, "Calls close().");
-  tools.def("__len__", &ToolsHandle::size, "Number of tools.");
+  bindClosing(tools, "Number of tools.");
   tools.def_property_readonly("pads", &ToolsHandle::pads, "Number of pads of a tool.");
 }
 
